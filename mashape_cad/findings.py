@@ -1,8 +1,8 @@
 """What a reader met on its way: `Finding` and its codes.
 
 A finding never stops a part. Codes are grouped by the first letter of their subject and only ever added:
-``file-*`` the file as a whole, ``unit-*`` its unit, ``entity-*`` one entity or face, ``chain-*`` joining edges into loops,
-``loop-*`` closed loops, ``profile-*`` what became (or did not become) a profile, ``axis-*`` its medial axis.
+``file-*`` the file as a whole, ``unit-*`` its unit, ``entity-*`` one entity or face, ``chain-*`` joining edges into
+loops, ``loop-*`` closed loops, ``profile-*`` what became (or did not become) a profile, ``axis-*`` its medial axis.
 """
 
 from dataclasses import dataclass

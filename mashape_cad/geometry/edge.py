@@ -52,7 +52,7 @@ class Similarity:
 
     @classmethod
     def of(
-        cls, scale: float = 1.0, angle: float = 0.0, offset: ArrayLike = (0.0, 0.0), mirror: bool = False
+        cls, scale: float = 1.0, angle: float = 0.0, offset: ArrayLike = (0.0, 0.0), *, mirror: bool = False
     ) -> "Similarity":
         """Mirror in the x axis (if asked), turn by `angle` (radians), scale, then move by `offset`."""
         cos, sin = scale * np.cos(angle), scale * np.sin(angle)
