@@ -1,0 +1,160 @@
+"""Every option, declared once: its default, unit, range and one sentence.
+
+`describe` returns what is declared; the command line builds its switches from it, the flows refuse values outside the
+range with it. No default stands anywhere else.
+"""
+
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+__all__ = ["Declared", "PartOptions", "ReadOptions", "ScanOptions", "SignatureOptions", "describe"]
+
+# Names as files and people write them; what each is worth in millimetres is the reader's business.
+UNIT_NAMES = ("mm", "cm", "m", "in", "ft", "um")
+
+
+@dataclass(frozen=True, slots=True)
+class Declared:
+    """What is declared of one option.
+
+    Attributes
+    ----------
+    sentence : str
+        What it does.
+    unit : str
+        Of its value; empty for counts, names and switches.
+    low, high : float or None
+        Smallest and largest value that makes sense, both included.
+    choices : tuple of str
+        The only values allowed, for names.
+    """
+
+    sentence: str
+    unit: str = ""
+    low: float | None = None
+    high: float | None = None
+    choices: tuple[str, ...] = ()
+
+    def complaint(self, value: Any) -> str | None:
+        """Return what is wrong with a value, or None."""
+        if value is None:
+            return None
+        if self.choices and value not in self.choices:
+            return f"must be one of {', '.join(self.choices)}, not {value!r}"
+        if self.low is not None and value < self.low:
+            return f"must be at least {self.low:g}, not {value!r}"
+        if self.high is not None and value > self.high:
+            return f"must be at most {self.high:g}, not {value!r}"
+        return None
+
+
+def _option(default: Any, sentence: str, **more: Any) -> Any:
+    return field(default=default, metadata={"declared": Declared(sentence, **more)})
+
+
+def describe(options: type, name: str) -> tuple[Any, Declared]:
+    """Return default and declaration of one option.
+
+    Parameters
+    ----------
+    options : type
+        One of the classes of this module.
+    name : str
+        Name of its field.
+
+    Raises
+    ------
+    KeyError
+        If there is no such option.
+    """
+    found = {each.name: each for each in fields(options)}[name]
+    return found.default, found.metadata["declared"]
+
+
+def _check(options: Any) -> None:
+    for each in fields(options):
+        declared = each.metadata.get("declared")
+        complaint = declared and declared.complaint(getattr(options, each.name))
+        if complaint:
+            raise ValueError(f"{each.name} {complaint}")
+
+
+@dataclass(frozen=True, slots=True)
+class ReadOptions:
+    """How a part file becomes profiles.
+
+    Raises
+    ------
+    ValueError
+        If a value is outside its range.
+    """
+
+    unit: str | None = _option(
+        None,
+        "Unit of a drawing's numbers; not given, the file decides ($INSUNITS, then $MEASUREMENT, then mm).",
+        choices=UNIT_NAMES,
+    )
+    gap_rel: float = _option(
+        1e-4,
+        "Widest gap between two ends that is bridged; wider, small edges collapse and fewer loops close.",
+        unit="fraction of the drawing's diagonal",
+        low=0.0,
+        high=1e-2,
+    )
+
+    def __post_init__(self) -> None:
+        _check(self)
+
+
+@dataclass(frozen=True, slots=True)
+class SignatureOptions:
+    """How a medial axis becomes a signature.
+
+    Raises
+    ------
+    ValueError
+        If a value is outside its range.
+    """
+
+    per_edge: int = _option(
+        100,
+        "Stations on each edge, evenly in arc length: 100 is the paper's step 0.01 (section 4.5, reading 1).",
+        low=2,
+        high=10_000,
+    )
+
+    def __post_init__(self) -> None:
+        _check(self)
+
+
+@dataclass(frozen=True, slots=True)
+class PartOptions:
+    """All options that shape what is known of a part: they are on record in its sidecar and decide its freshness."""
+
+    read: ReadOptions = field(default_factory=ReadOptions)
+    signature: SignatureOptions = field(default_factory=SignatureOptions)
+
+
+@dataclass(frozen=True, slots=True)
+class ScanOptions:
+    """How a folder is scanned; only `part` shapes what the sidecars hold.
+
+    Raises
+    ------
+    ValueError
+        If a value is outside its range.
+    """
+
+    jobs: int | None = _option(None, "Worker processes; not given, one for each processor.", low=1, high=1024)
+    timeout: float = _option(
+        120.0,
+        "Longest time that one file may take; then its worker is ended and the file counts as failed.",
+        unit="seconds",
+        low=0.001,
+        high=86_400.0,
+    )
+    retry_failed: bool = _option(False, "Try files again that failed before and have not changed since.")
+    part: PartOptions = field(default_factory=PartOptions)
+
+    def __post_init__(self) -> None:
+        _check(self)
