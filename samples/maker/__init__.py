@@ -1,0 +1,1 @@
+"""How the sample parts are drawn: one module for each class, all with the same pen."""

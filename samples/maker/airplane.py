@@ -1,0 +1,85 @@
+"""Airplanes seen from above: nose up, symmetric about x = 0."""
+
+from dataclasses import dataclass
+
+from maker.pen import Pen
+from mashape_cad.geometry.profile import Profile
+
+__all__ = ["airplanes"]
+
+
+@dataclass(frozen=True, slots=True)
+class Surface:
+    """One half of a wing or tailplane: where its leading edge meets the fuselage, and its tip, mm."""
+
+    root: float  # y of the leading edge at the fuselage
+    chord: float  # length along the fuselage
+    span: float  # x of the tip
+    sweep: float  # how far the tip's leading edge lies behind the root's
+    tip: float  # chord at the tip
+    bow: float = 0.0  # how far the leading edge bows forward
+
+
+@dataclass(frozen=True, slots=True)
+class Engine:
+    """A nacelle before the wing's leading edge."""
+
+    x: float
+    width: float
+    ahead: float
+
+
+def airplanes() -> dict[str, Profile]:
+    """Return an airliner, a four-engined jet, a light aircraft and a jet fighter."""
+    return {
+        "airplane-1": airplane(
+            nose=22, width=7.5, length=160, wing=Surface(-55, 34, 76, 44, 9, 1.5), tail=Surface(-132, 17, 29, 17, 6),
+            engines=(Engine(25, 8.5, 11),),
+        ),
+        "airplane-2": airplane(
+            nose=26, width=10, length=200, wing=Surface(-62, 46, 98, 66, 10, 2), tail=Surface(-168, 21, 37, 22, 7),
+            engines=(Engine(30, 9.5, 13), Engine(58, 8.5, 11)),
+        ),
+        "airplane-3": airplane(
+            nose=14, width=7.5, length=104, wing=Surface(-26, 23, 74, 4, 16, 1), tail=Surface(-86, 13, 25, 4, 8, 0.5)
+        ),
+        "airplane-4": airplane(
+            nose=34, width=7.5, length=136, wing=Surface(-50, 44, 50, 40, 12), tail=Surface(-106, 20, 25, 17, 9)
+        ),
+    }  # fmt: skip
+
+
+def airplane(
+    nose: float, width: float, length: float, wing: Surface, tail: Surface, engines: tuple[Engine, ...] = ()
+) -> Profile:
+    """Draw an airplane; `nose` is how long the nose is, `width` half of the fuselage's."""
+    pen = Pen(0, 0).curve((0.62 * width, -0.25 * nose), (width, -nose), leave=0, arrive=-90)
+    pen.line(width, wing.root, rounded=3)
+    _surface(pen, wing, width, engines)
+    stern = 0.55 * width
+    slim = (width + stern) / 2 + 0.1 * width
+    middle = (wing.root - wing.chord + tail.root) / 2
+    pen.curve((slim, middle), (stern, tail.root), leave=-90, arrive=-94, rounded=2.5)
+    _surface(pen, tail, stern * 0.8, ())
+    pen.curve((0.45 * stern, -length + 0.12 * nose), (0, -length), arrive=180)
+    return Profile.of(pen.mirror_close())
+
+
+def _surface(pen: Pen, wing: Surface, root: float, engines: tuple[Engine, ...]) -> None:
+    """Draw a wing from the fuselage (x = `root`) to its tip and back."""
+
+    def leading(x: float) -> float:
+        t = (x - root) / (wing.span - root)
+        return wing.root - wing.sweep * t + 4 * wing.bow * t * (1 - t)
+
+    for engine in engines:
+        inner, outer, radius = engine.x - engine.width / 2, engine.x + engine.width / 2, engine.width / 2
+        front = leading(engine.x) + engine.ahead
+        pen.line(inner, leading(inner), rounded=1.5).line(inner, front - radius)
+        pen.curve((engine.x, front), (outer, front - radius), leave=90, arrive=-90)
+        pen.line(outer, leading(outer), rounded=1.5)
+    size = min(0.45 * wing.tip, 6)
+    half = (engines[-1].x if engines else root) / 2 + wing.span / 2
+    pen.curve((half, leading(half)), (wing.span, leading(wing.span)), rounded=size)
+    pen.line(wing.span + 1, leading(wing.span) - wing.tip, rounded=0.5 * size)
+    pen.line(root, wing.root - wing.chord, rounded=3)

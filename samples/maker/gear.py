@@ -1,0 +1,97 @@
+"""Gears: involute or freely rounded teeth, bores and openings of several kinds."""
+
+from math import asin, cos, pi, radians, sin, tan
+
+import numpy as np
+
+from maker.pen import Pen, Point, circle, closed_curve, moved
+from mashape_cad.geometry.profile import Loop, Profile
+
+__all__ = ["gears"]
+
+
+def gears() -> dict[str, Profile]:
+    """Return four gears with unlike teeth and holes."""
+    return {
+        "gear-1": Profile.of(involute(16, 5), [keyed_bore(12, 5)]),
+        "gear-2": Profile.of(involute(12, 7), [circle(0, 0, 7), *around(6, circle(20, 0, 5))]),
+        "gear-3": Profile.of(involute(20, 5), [hexagon(8), *around(4, kidney(17, 36, 62))]),
+        "gear-4": Profile.of(sprocket(14, 45, 4.5), [lobed_bore(6, 12, 1.5), *around(3, circle(28, 0, 6))]),
+    }
+
+
+def involute(teeth: int, module: float) -> Loop:
+    """Draw a spur gear: flanks are B-splines through points of the involute, tips and roots are arcs."""
+    pitch, tip, root = teeth * module / 2, (teeth / 2 + 1) * module, (teeth / 2 - 1.2) * module
+    base = pitch * cos(radians(20))
+    half = pi / (2 * teeth) + _unwound(base, pitch)
+    radii = [root, *np.linspace(max(base, root + 0.5 * module), tip, 4)]
+    angles = [half - _unwound(base, radius) for radius in radii]
+    angles[0] = asin(1.06 * radii[1] * sin(half) / root)  # the foot of a tooth is a little wider than its waist
+    step = 2 * pi / teeth
+    pen = Pen(*_polar(root, -angles[0]), rounded=0.25 * module)
+    for tooth in range(teeth):
+        centre = tooth * step
+        up = [_polar(r, centre - a) for r, a in zip(radii, angles, strict=True)]
+        down = [_polar(r, centre + a) for r, a in zip(reversed(radii), reversed(angles), strict=True)]
+        pen.curve(*up[1:], rounded=0.12 * module)
+        pen.arc(*down[0], tan(angles[-1] / 2), rounded=0.12 * module)
+        pen.curve(*down[1:], rounded=0.25 * module)
+        if tooth < teeth - 1:
+            pen.arc(*_polar(root, centre + step - angles[0]), tan((step - 2 * angles[0]) / 4), rounded=0.25 * module)
+    pen.arc(*_polar(root, -angles[0]), tan((step - 2 * angles[0]) / 4))
+    return pen.close()
+
+
+def sprocket(teeth: int, radius: float, depth: float) -> Loop:
+    """Draw a wheel with round teeth, one closed B-spline."""
+    count = 12 * teeth
+    around_it = 2 * pi * np.arange(count) / count
+    wave = np.tanh(1.2 * np.cos(teeth * around_it)) / np.tanh(1.2)
+    return closed_curve(*[_polar(radius + depth * w, a) for w, a in zip(wave, around_it, strict=True)])
+
+
+def keyed_bore(radius: float, key: float) -> Loop:
+    """Draw a round bore with a keyway of width `key`."""
+    half = asin(key / 2 / radius)
+    left, right = _polar(radius, pi / 2 + half), _polar(radius, pi / 2 - half)
+    top = radius + key / 2
+    pen = Pen(*left).arc(*right, tan((2 * pi - 2 * half) / 4))
+    return pen.line(key / 2, top).line(-key / 2, top).close()
+
+
+def lobed_bore(lobes: int, radius: float, depth: float) -> Loop:
+    """Draw a bore with round splines."""
+    return moved(sprocket(lobes, radius, depth), 0, 0, 90)
+
+
+def hexagon(radius: float) -> Loop:
+    """Draw a hexagonal bore with rounded corners."""
+    first, *others = (_polar(radius, i * pi / 3) for i in range(6))
+    pen = Pen(*first, rounded=1.5)
+    for x, y in others:
+        pen.line(x, y, rounded=1.5)
+    return pen.close()
+
+
+def kidney(inner: float, outer: float, angle: float) -> Loop:
+    """Draw an opening between two arcs about the origin, its corners rounded freely."""
+    half, size = radians(angle) / 2, 0.3 * (outer - inner)
+    pen = Pen(*_polar(inner, half), rounded=size).arc(*_polar(inner, -half), -tan(half / 2), rounded=size)
+    pen.line(*_polar(outer, -half), rounded=size).arc(*_polar(outer, half), tan(half / 2), rounded=size)
+    return pen.close()
+
+
+def around(count: int, loop: Loop) -> list[Loop]:
+    """Return `count` copies of a loop, turned evenly about the origin."""
+    return [moved(loop, 0, 0, 360 * i / count) for i in range(count)]
+
+
+def _unwound(base: float, radius: float) -> float:
+    """Polar angle of the involute of a circle where it reaches `radius`; 0 inside the circle."""
+    roll = np.sqrt(max((radius / base) ** 2 - 1, 0.0))
+    return float(roll - np.arctan(roll))
+
+
+def _polar(radius: float, angle: float) -> Point:
+    return radius * cos(angle), radius * sin(angle)
