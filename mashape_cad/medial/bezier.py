@@ -1,0 +1,143 @@
+"""Rational Bezier spans, compiled: evaluation, splitting, and polynomials in Bernstein form.
+
+A span is a homogeneous control array (n, 3) of rows (w x, w y, w), of which the first ``degree + 1`` rows count. A
+polynomial in Bernstein form is a 1D array of its coefficients: it lies between their smallest and largest one, and it
+has at most as many roots in (0, 1) as they change sign. Both facts carry the proofs of this package.
+
+References
+----------
+G. Farin, Curves and Surfaces for CAGD, 5th ed., chapters 4 to 6 and 13; R. T. Farouki, The Bernstein polynomial basis:
+a centennial retrospective, CAGD 29 (2012), sections 4 and 5 (arithmetic in Bernstein form).
+"""
+
+import math
+
+import numpy as np
+from numba import njit
+
+from mashape_cad.geometry.edge import Floats
+
+__all__ = ["curvature_slope", "derivative", "difference", "evaluate", "halves", "power_distance", "product", "value"]
+
+# Degrees met in files stay below 12; products of curvature_slope have up to 8 times that.
+_MAX_DEGREE = 200
+_BINOMIAL = np.array([[float(math.comb(n, k)) for k in range(_MAX_DEGREE + 1)] for n in range(_MAX_DEGREE + 1)])
+
+
+@njit(cache=True)
+def evaluate(control: Floats, degree: int, t: float) -> tuple[float, float, float, float, float, float]:
+    """Return position, first and second derivative at `t`: (x, y, x', y', x'', y''), by de Casteljau."""
+    s = 1.0 - t
+    row = control[: degree + 1].copy()
+    for k in range(degree - 2):
+        for i in range(degree - k):
+            for j in range(3):
+                row[i, j] = s * row[i, j] + t * row[i + 1, j]
+    if degree == 1:
+        x1, y1, w1 = row[1, 0] - row[0, 0], row[1, 1] - row[0, 1], row[1, 2] - row[0, 2]
+        x2 = y2 = w2 = 0.0
+        x0, y0, w0 = s * row[0, 0] + t * row[1, 0], s * row[0, 1] + t * row[1, 1], s * row[0, 2] + t * row[1, 2]
+    else:
+        ax, ay, aw = s * row[0, 0] + t * row[1, 0], s * row[0, 1] + t * row[1, 1], s * row[0, 2] + t * row[1, 2]
+        bx, by, bw = s * row[1, 0] + t * row[2, 0], s * row[1, 1] + t * row[2, 1], s * row[1, 2] + t * row[2, 2]
+        x0, y0, w0 = s * ax + t * bx, s * ay + t * by, s * aw + t * bw
+        x1, y1, w1 = degree * (bx - ax), degree * (by - ay), degree * (bw - aw)
+        c = degree * (degree - 1.0)
+        x2 = c * (row[0, 0] - 2 * row[1, 0] + row[2, 0])
+        y2 = c * (row[0, 1] - 2 * row[1, 1] + row[2, 1])
+        w2 = c * (row[0, 2] - 2 * row[1, 2] + row[2, 2])
+    x, y = x0 / w0, y0 / w0
+    dx, dy = (x1 - w1 * x) / w0, (y1 - w1 * y) / w0
+    return x, y, dx, dy, (x2 - 2 * w1 * dx - w2 * x) / w0, (y2 - 2 * w1 * dy - w2 * y) / w0
+
+
+@njit(cache=True)
+def value(coefficients: Floats, t: float) -> float:
+    """Evaluate a polynomial in Bernstein form."""
+    row = coefficients.copy()
+    for k in range(len(row) - 1):
+        for i in range(len(row) - 1 - k):
+            row[i] = (1.0 - t) * row[i] + t * row[i + 1]
+    return float(row[0])
+
+
+@njit(cache=True)
+def halves(coefficients: Floats) -> tuple[Floats, Floats]:
+    """Return the coefficients on [0, 1/2] and on [1/2, 1]."""
+    n = len(coefficients)
+    left, right = np.empty(n), coefficients.copy()
+    for k in range(n):
+        left[k] = right[0]
+        for i in range(n - 1 - k):
+            right[i] = (right[i] + right[i + 1]) / 2
+    return left, right
+
+
+@njit(cache=True)
+def product(a: Floats, b: Floats) -> Floats:
+    """Multiply two polynomials."""
+    m, n = len(a) - 1, len(b) - 1
+    result = np.zeros(m + n + 1)
+    for i in range(m + 1):
+        for j in range(n + 1):
+            result[i + j] += _BINOMIAL[m, i] * _BINOMIAL[n, j] / _BINOMIAL[m + n, i + j] * a[i] * b[j]
+    return result
+
+
+@njit(cache=True)
+def derivative(a: Floats) -> Floats:
+    """Differentiate; a constant gives the constant 0."""
+    if len(a) == 1:
+        return np.zeros(1)
+    return (len(a) - 1) * (a[1:] - a[:-1])
+
+
+@njit(cache=True)
+def difference(a: Floats, b: Floats) -> Floats:
+    """Subtract ``b`` from ``a``, raising degrees to the common one."""
+    m, n = len(a) - 1, len(b) - 1
+    if m < n:
+        return product(a, np.ones(n - m + 1)) - b
+    if n < m:
+        return a - product(b, np.ones(m - n + 1))
+    return a - b
+
+
+@njit(cache=True)
+def power_distance(control: Floats, degree: int, cx: float, cy: float, r: float) -> Floats:
+    """Coefficients of ``w^2 (|q - c|^2 - r^2)``: the power of the span's point q with respect to a disc.
+
+    Negative exactly where the span runs inside the disc; near the circle about ``2 r w^2`` times the distance to it.
+    """
+    result = np.zeros(2 * degree + 1)
+    for i in range(degree + 1):
+        wi = control[i, 2]
+        xi, yi = control[i, 0] - cx * wi, control[i, 1] - cy * wi
+        for j in range(degree + 1):
+            wj = control[j, 2]
+            xj, yj = control[j, 0] - cx * wj, control[j, 1] - cy * wj
+            factor = _BINOMIAL[degree, i] * _BINOMIAL[degree, j] / _BINOMIAL[2 * degree, i + j]
+            result[i + j] += factor * (xi * xj + yi * yj - r * r * wi * wj)
+    return result
+
+
+@njit(cache=True)
+def curvature_slope(control: Floats, degree: int) -> Floats:
+    """Coefficients of a polynomial with the sign of the derivative of curvature.
+
+    With ``X = (x, y, w)`` homogeneous, ``N = det[X, X', X'']`` and ``A = w X' - X w'`` (its first two rows),
+    curvature is ``N w^3 / |A|^3``, and its derivative has the sign of ``(N' w + 3 N w') |A|^2 - 3 N w A.A'``.
+    """
+    x, y, w = control[: degree + 1, 0].copy(), control[: degree + 1, 1].copy(), control[: degree + 1, 2].copy()
+    x1, y1, w1 = derivative(x), derivative(y), derivative(w)
+    x2, y2, w2 = derivative(x1), derivative(y1), derivative(w1)
+    minor_x = difference(product(y1, w2), product(w1, y2))
+    minor_y = difference(product(w1, x2), product(x1, w2))
+    minor_w = difference(product(x1, y2), product(y1, x2))
+    det = difference(product(x, minor_x), -product(y, minor_y))
+    det = difference(det, -product(w, minor_w))
+    ax, ay = difference(product(w, x1), product(x, w1)), difference(product(w, y1), product(y, w1))
+    speed_sq = product(ax, ax) + product(ay, ay)
+    slope = product(ax, derivative(ax)) + product(ay, derivative(ay))
+    rising = difference(product(derivative(det), w), -3.0 * product(det, w1))
+    return difference(product(rising, speed_sq), 3.0 * product(product(det, w), slope))
