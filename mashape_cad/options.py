@@ -153,7 +153,9 @@ class ScanOptions:
         low=0.001,
         high=86_400.0,
     )
-    retry_failed: bool = _option(False, "Try files again that failed before and have not changed since.")
+    retry_failed: bool = _option(
+        default=False, sentence="Try files again that failed before and have not changed since."
+    )
     part: PartOptions = field(default_factory=PartOptions)
 
     def __post_init__(self) -> None:

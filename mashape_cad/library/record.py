@@ -6,12 +6,15 @@ Lengths are millimetres, areas square millimetres; a profile's coordinates are t
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from mashape_cad.findings import Finding
 from mashape_cad.options import PartOptions
+from mashape_cad.version import __version__
 
 __all__ = [
+    "CURRENT_SIGNATURE",
+    "GENERATOR",
     "AxisRecord",
     "Failure",
     "OriginRecord",
@@ -75,6 +78,11 @@ class SignatureName:
 
     name: str
     version: int
+
+
+GENERATOR = f"mashape-cad {__version__}"
+# Stated here and not asked of the signature itself, because that loads numpy: a test holds the two together.
+CURRENT_SIGNATURE = SignatureName("paper", 1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,4 +246,9 @@ class Sidecar:
     unit: UnitRecord | None = None
     findings: tuple[Finding, ...] = ()
     failure: Failure | None = None
-    profiles: tuple[ProfileRecord, ...] = field(default=())
+    profiles: tuple[ProfileRecord, ...] = ()
+
+    @classmethod
+    def failed(cls, source: Source, options: PartOptions, failure: Failure) -> "Sidecar":
+        """Return the sidecar of a file that gave nothing at all."""
+        return cls(GENERATOR, CURRENT_SIGNATURE, source, options, failure=failure)

@@ -1,0 +1,80 @@
+"""``mashape-cad search``."""
+# ruff: noqa: PLC0415  -- what a command needs is imported when it runs, so that --help answers at once
+
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from mashape_cad.cli.switches import as_json, output, quiet
+
+if TYPE_CHECKING:
+    from mashape_cad.library.library import Library
+
+__all__ = ["search"]
+
+
+@click.command(short_help="Rank the parts of scanned folders by how they resemble a query.")
+@click.argument("query", metavar="QUERY", type=click.Path(path_type=Path))
+@click.option(
+    "--profile", type=click.IntRange(0), metavar="N", help="Which profile of QUERY, from 0. [default: its first]"
+)
+@click.option(
+    "--in",
+    "folders",
+    metavar="DIR",
+    multiple=True,
+    type=click.Path(path_type=Path),
+    help="Scanned folder to search in; repeat it for more. [default: QUERY's own]",
+)
+@click.option("-k", "count", type=click.IntRange(1), default=10, show_default=True, help="At most so many parts.")
+@output(".html", ".png")
+@as_json
+@quiet
+def search(
+    query: Path,
+    profile: int | None,
+    folders: tuple[Path, ...],
+    count: int,
+    output: Path | None,
+    as_json: bool,
+    quiet: bool,
+) -> int:
+    """Rank the parts of scanned folders by how much their profiles resemble one of the file QUERY.
+
+    QUERY itself need not be scanned; if it is, it takes part and comes first, at distance 0.
+    """
+    from mashape_cad.library.folders import check_file
+    from mashape_cad.library.library import Library
+    from mashape_cad.views import messages, table
+
+    started = time.perf_counter()
+    check_file(query)
+    library = Library(*(folders or (query.parent,)))
+    if not quiet:
+        _tell_what_to_know(library, query)
+    asked = library.query(query, profile)
+    matches = library.search(asked, count)
+    if as_json:
+        for match in matches:
+            click.echo(messages.match_message(match))
+        seconds = time.perf_counter() - started
+        click.echo(messages.search_summary(query, asked.profile, len(matches), len(library.parts), seconds))
+    else:
+        table.print_matches(matches, sys.stdout)
+    if output is not None:
+        from mashape_cad.views.page import write_sheet
+
+        write_sheet(output, asked.record, matches)
+    return 0
+
+
+def _tell_what_to_know(library: "Library", query: Path) -> None:
+    if library.unscanned:
+        click.echo(f"{len(library.unscanned)} files are not scanned yet and take no part", err=True)
+    if library.outdated:
+        click.echo(f"{len(library.outdated)} files have changed since they were scanned", err=True)
+    if library.known(query) is None:
+        click.echo(f"reading {query}, which has no sidecar that fits", err=True)

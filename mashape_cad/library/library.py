@@ -1,0 +1,252 @@
+"""One or more folders of sidecars, searchable: `Library`."""
+
+import shlex
+from collections.abc import Iterator
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mashape_cad.errors import LibraryError, SidecarError
+from mashape_cad.library.folders import check_folder, part_files
+from mashape_cad.library.freshness import freshness
+from mashape_cad.library.match import Match
+from mashape_cad.library.ranking import Floats, Stack
+from mashape_cad.library.record import CURRENT_SIGNATURE, ProfileRecord, Sidecar
+from mashape_cad.library.selection import comparable, profiles_of
+from mashape_cad.library.sidecar import UnknownVersionError, read_sidecar, sidecar_path
+from mashape_cad.options import PartOptions
+
+__all__ = ["Library", "Query"]
+
+
+@dataclass(frozen=True, slots=True)
+class Query:
+    """One profile to search with.
+
+    Attributes
+    ----------
+    record : ProfileRecord
+    path : Path or None
+        Its file, if it comes from one.
+    profile : int or None
+        Its number in that file.
+    """
+
+    record: ProfileRecord
+    path: Path | None = None
+    profile: int | None = None
+
+
+class Library:
+    """The scanned parts below one or more folders.
+
+    Sidecars are read once, when the library is made; the kernel is not needed, unless a query has no sidecar.
+
+    Parameters
+    ----------
+    *folders : path
+        Walked through with all their subfolders.
+
+    Attributes
+    ----------
+    parts : tuple of (Path, Sidecar)
+        Those with at least one comparable profile, by name.
+    options : PartOptions
+        What shaped all their sidecars; a query without sidecar is read with the same.
+    unscanned : tuple of Path
+        Part files without a sidecar that can be read.
+    outdated : tuple of Path
+        Part files whose size or time is no longer what their sidecar says.
+
+    Raises
+    ------
+    LibraryError
+        If a folder does not exist or was not scanned, or its sidecars cannot be compared with one another.
+    """
+
+    def __init__(self, *folders: str | PathLike[str]) -> None:
+        self.folders = tuple(Path(folder) for folder in folders)
+        read = dict(_sidecars(self.folders))
+        self.unscanned = tuple(path for path, sidecar in read.items() if sidecar is None)
+        known = {path: sidecar for path, sidecar in read.items() if sidecar is not None}
+        self.outdated = tuple(path for path, sidecar in known.items() if _is_outdated(path, sidecar))
+        self.parts = tuple(
+            (path, sidecar)
+            for path, sidecar in sorted(known.items(), key=lambda item: item[0].as_posix())
+            if any(record.vectors for record in sidecar.profiles)
+        )
+        self._check_there_is_something(len(read), len(known))
+        self.options = self._common_options()
+        self._part, self._profile, self._stack = self._stacked()
+
+    def search(self, query: Any, k: int = 10, *, profile: int | None = None) -> list[Match]:
+        """Return the parts that resemble a query most, the nearest first.
+
+        Parameters
+        ----------
+        query : path, Profile, kernel object, ProfileRecord or Query
+            See `query`.
+        k : int
+            At most so many parts.
+        profile : int, optional
+            Which profile of the query, from 0.
+
+        Returns
+        -------
+        list of Match
+            One for each part, by its nearest profile. The query's own file takes part: it comes first, at distance 0.
+            Equal distances are ordered by name, the query's own file before all others.
+
+        Raises
+        ------
+        QueryError, NoProfileError, UnreadableFileError
+            If the query has no profile that can be compared.
+        ValueError
+            If `k` is not positive.
+        """
+        if k < 1:
+            raise ValueError(f"k must be at least 1, not {k}")
+        asked = self.query(query, profile)
+        distances = self._stack.distances(asked.record.vectors or {})
+        order = self._order(asked, distances)
+        _, first = np.unique(self._part[order], return_index=True)
+        best = order[np.sort(first)][:k]
+        return [self._match(rank, int(row), float(distances[row])) for rank, row in enumerate(best, start=1)]
+
+    def query(self, query: Any, profile: int | None = None) -> Query:
+        """Return the profile to search with.
+
+        Parameters
+        ----------
+        query : path, Profile, kernel object, ProfileRecord or Query
+            A file's fresh sidecar is used; without one the file is read and its medial axis computed here, as for a
+            profile or an object of the kernel (or one that wraps such: a face, wire or sketch).
+        profile : int, optional
+            Which profile of it, from 0; not given, the first that can be compared.
+
+        Raises
+        ------
+        QueryError, NoProfileError, UnreadableFileError
+            If there is none.
+        """
+        if isinstance(query, Query):
+            return query
+        if isinstance(query, str | PathLike):
+            path = Path(query)
+            records = profiles_of(self.known(path) or self._derived(path), str(path))
+            number = comparable(records, profile, str(path))
+            return Query(records[number], path, number)
+        records = (query,) if isinstance(query, ProfileRecord) else self._records(query)
+        number = comparable(records, profile, "query")
+        return Query(records[number], profile=number)
+
+    def known(self, path: Path) -> Sidecar | None:
+        """Return the sidecar of a file if it is fresh and can be compared with this library, else None.
+
+        Raises
+        ------
+        UnreadableFileError
+            If there is no such file.
+        UnknownVersionError
+            If its sidecar was written by a newer release.
+        """
+        return freshness(path, self.options).sidecar
+
+    def _derived(self, path: Path) -> Sidecar:
+        from mashape_cad.library.derivation import derive  # noqa: PLC0415  (loads the kernel)
+
+        return derive(path, self.options)
+
+    def _records(self, thing: Any) -> tuple[ProfileRecord, ...]:
+        from mashape_cad.library.derivation import records_of  # noqa: PLC0415  (loads the kernel)
+
+        return records_of(thing, self.options)
+
+    def _check_there_is_something(self, files: int, known: int) -> None:
+        names = ", ".join(map(str, self.folders))
+        if self.parts:
+            return
+        if not files:
+            raise LibraryError(f"{names}: no part files in it; give a folder of DXF, STEP or BREP files")
+        if not known:
+            raise LibraryError(f"{names}: not scanned yet; run: {self._scan_command()}")
+        raise LibraryError(f"{names}: no profile that can be compared; to see why, run: {self._scan_command()} --json")
+
+    def _common_options(self) -> PartOptions:
+        shaped = {(sidecar.signature, sidecar.options) for _, sidecar in self.parts}
+        if len(shaped) > 1 or next(iter(shaped))[0] != CURRENT_SIGNATURE:
+            raise LibraryError(
+                "its sidecars were made with other signatures or options, so that their distances mean nothing; "
+                f"run: {self._scan_command()}"
+            )
+        return next(iter(shaped))[1]
+
+    def _scan_command(self) -> str:
+        return shlex.join(["mashape-cad", "scan", *map(str, self.folders)])
+
+    def _stacked(self) -> tuple[NDArray[np.intp], NDArray[np.intp], Stack]:
+        rows = [
+            (part, profile, record.vectors)
+            for part, (_, sidecar) in enumerate(self.parts)
+            for profile, record in enumerate(sidecar.profiles)
+            if record.vectors
+        ]
+        parts, profiles, vectors = zip(*rows, strict=True)
+        return np.array(parts), np.array(profiles), Stack.of(vectors)
+
+    def _order(self, asked: Query, distances: Floats) -> NDArray[np.intp]:
+        """Return the rows, nearest first; of equal ones the query's own file first, then by name, then by number."""
+        is_foreign = self._part != self._own_part(asked.path)
+        is_other = is_foreign | (self._profile != asked.profile)
+        return np.lexsort((self._profile, is_other, self._part, is_foreign, distances))
+
+    def _own_part(self, path: Path | None) -> int:
+        """Return which part is the query's own file, -1 if none."""
+        for number, (part, _) in enumerate(self.parts):
+            if path is not None and part.name == path.name and _is_same(part, path):
+                return number
+        return -1
+
+    def _match(self, rank: int, row: int, distance: float) -> Match:
+        path, sidecar = self.parts[self._part[row]]
+        profile = int(self._profile[row])
+        return Match(rank, path, profile, distance, sidecar.profiles[profile])
+
+
+def _sidecars(folders: tuple[Path, ...]) -> Iterator[tuple[Path, Sidecar | None]]:
+    """Yield each part file once with its sidecar, or None if it has none that can be read."""
+    seen = set[Path]()
+    for folder in folders:
+        check_folder(folder)
+        for path in part_files(folder, lambda *_: None):  # what a scan could not list has no sidecars either
+            if path.absolute() not in seen:
+                seen.add(path.absolute())
+                yield path, _sidecar(path)
+
+
+def _sidecar(path: Path) -> Sidecar | None:
+    try:
+        return read_sidecar(sidecar_path(path))
+    except UnknownVersionError as error:
+        raise LibraryError(str(error)) from error
+    except SidecarError:
+        return None
+
+
+def _is_same(one: Path, other: Path) -> bool:
+    try:
+        return one.samefile(other)
+    except OSError:  # gone since
+        return False
+
+
+def _is_outdated(path: Path, sidecar: Sidecar) -> bool:
+    try:
+        status = path.stat()
+    except OSError:
+        return True
+    return (status.st_size, status.st_mtime_ns) != (sidecar.source.size, sidecar.source.mtime_ns)

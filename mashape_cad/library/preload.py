@@ -1,0 +1,12 @@
+"""Loads what a worker needs, once, in the process that workers are forked from (see `mashape_cad.scanning`).
+
+Importing this module is all there is to it: a worker forked afterwards is ready at once and shares the memory. Where
+the kernel is missing, nothing is loaded, and the first file says so.
+"""
+
+from contextlib import suppress
+
+from mashape_cad.errors import KernelUnavailableError
+
+with suppress(KernelUnavailableError):
+    import mashape_cad.library.derivation  # noqa: F401

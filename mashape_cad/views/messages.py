@@ -1,0 +1,98 @@
+"""JSON lines for other programs: one object a line, each with `message_type`, the summary last.
+
+Fields are only ever added. Paths are as they were given, numbers in mm and mm2 where the name says no other.
+"""
+
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from mashape_cad.library.match import Match
+from mashape_cad.library.record import ProfileRecord
+from mashape_cad.scanning import FileScanned, ScanSummary
+
+__all__ = [
+    "certificate_message",
+    "certify_summary",
+    "file_message",
+    "match_message",
+    "readable",
+    "scan_summary",
+    "search_summary",
+]
+
+
+def readable(path: Path) -> str:
+    """Return a path as valid text; a file name need not be valid UTF-8 on every system."""
+    return str(path).encode("utf-8", "surrogateescape").decode("utf-8", "replace")
+
+
+def file_message(event: FileScanned) -> str:
+    """Return the line of one scanned file."""
+    sidecar = event.sidecar
+    return _line(
+        "file",
+        path=readable(event.path),
+        status=event.status,
+        profiles=len(sidecar.profiles) if sidecar else 0,
+        findings=sidecar.findings if sidecar else (),
+        refused=sum(record.refused is not None for record in sidecar.profiles) if sidecar else 0,
+        failure=event.failure,
+    )
+
+
+def scan_summary(summary: ScanSummary) -> str:
+    """Return the last line of a scan."""
+    return _line("summary", **msgspec.to_builtins(summary))
+
+
+def match_message(match: Match) -> str:
+    """Return the line of one match."""
+    return _line(
+        "match",
+        rank=match.rank,
+        path=readable(match.path),
+        profile=match.profile,
+        distance=match.distance,
+        size_mm=match.record.size,
+    )
+
+
+def search_summary(query: Path, profile: int | None, matches: int, parts: int, seconds: float) -> str:
+    """Return the last line of a search: which profile of the query it was, how many parts took part."""
+    return _line("summary", query=readable(query), profile=profile, matches=matches, parts=parts, seconds=seconds)
+
+
+def certificate_message(path: Path, profile: int, record: ProfileRecord) -> str:
+    """Return the line of one profile; without an axis its figures are null and `reason` says why."""
+    axis, refused = record.axis, record.refused
+    return _line(
+        "certificate",
+        path=readable(path),
+        profile=profile,
+        edges=record.edges,
+        holes=record.holes,
+        area_mm2=record.area,
+        perimeter_mm=record.perimeter,
+        max_radius_mm=axis and axis.max_radius,
+        branches=axis and axis.branches,
+        junctions=axis and axis.junctions,
+        ends=axis and axis.ends,
+        cycles=axis and axis.cycles,
+        connected=axis is not None and axis.connected,
+        max_disc_error=axis and axis.max_disc_error,
+        max_foot_error=axis and axis.max_foot_error,
+        ok=axis is not None and axis.ok,
+        reason=refused and refused.text,
+        refused=refused,
+    )
+
+
+def certify_summary(path: Path, profiles: int, ok: int, seconds: float) -> str:
+    """Return the last line of a certification."""
+    return _line("summary", path=readable(path), profiles=profiles, ok=ok, seconds=seconds)
+
+
+def _line(message_type: str, **fields: Any) -> str:
+    return msgspec.json.encode({"message_type": message_type, **fields}).decode()

@@ -1,0 +1,48 @@
+"""Answers for people: matches as a table, certificates line by line."""
+
+from collections.abc import Sequence
+from typing import TextIO
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from mashape_cad.library.match import Match
+from mashape_cad.library.record import ProfileRecord
+from mashape_cad.views.messages import readable
+
+__all__ = ["certificate_line", "print_matches"]
+
+# Into a file or a pipe a line is as long as it is: nothing is cut off or folded.
+_UNBOUNDED = 10_000
+
+
+def print_matches(matches: Sequence[Match], stream: TextIO) -> None:
+    """Print rank, part, profile, distance and size (width x height, mm) of each match."""
+    console = Console(file=stream, width=None if stream.isatty() else _UNBOUNDED, highlight=False)
+    table = Table(box=None, pad_edge=False, header_style="bold")
+    for heading in ("rank", "part", "profile", "distance", "size (mm)"):
+        table.add_column(heading, justify="left" if heading == "part" else "right", overflow="fold")
+    for match in matches:
+        table.add_row(*(Text(cell) for cell in _row(match)))  # as text: a file name may look like markup
+    console.print(table)
+
+
+def certificate_line(profile: int, record: ProfileRecord) -> str:
+    """Return the figures of one profile's medial axis, or why it has none."""
+    shape = f"profile {profile}: {record.edges} edges, {record.holes} holes"
+    if record.refused is not None:
+        return f"no  {shape}; {record.refused.text}"
+    if record.axis is None:
+        return f"no  {shape}"
+    axis = record.axis
+    graph = f"{axis.branches} branches, {axis.junctions} junctions, {axis.ends} ends, {axis.cycles} cycles"
+    whole = "connected" if axis.connected else "not connected"
+    errors = f"disc error {axis.max_disc_error:.1e}, foot error {axis.max_foot_error:.1e}"
+    return f"{'ok' if axis.ok else 'no'}  {shape}; {graph}, {whole}; {errors}"
+
+
+def _row(match: Match) -> tuple[str, ...]:
+    width, height = match.record.size
+    size = f"{width:.4g} x {height:.4g}"
+    return str(match.rank), readable(match.path), str(match.profile), f"{match.distance:.4f}", size
