@@ -68,7 +68,7 @@ def _thinned(points: Floats) -> Floats:
     spans = [(0, len(points) - 1)]
     while spans:
         first, last = spans.pop()
-        if first + 1 == last:
+        if last <= first + 1:
             continue
         away = _distances_to_chord(points[first + 1 : last], points[first], points[last])
         farthest = int(np.argmax(away))
