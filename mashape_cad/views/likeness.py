@@ -1,0 +1,71 @@
+"""What pictures show of one profile: its outline, and its medial axis with radii, as polylines in mm.
+
+It comes from a sidecar's light picture, or finer from the exact values; both are drawn by the same code.
+"""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from mashape_cad.geometry.edge import Floats
+from mashape_cad.geometry.profile import Profile
+from mashape_cad.library.record import ProfileRecord
+
+if TYPE_CHECKING:
+    from mashape_cad.medial.axis import MedialAxis
+
+__all__ = ["Likeness"]
+
+# Spacing of points on branches, as a fraction of the larger side: a third of a pixel's error on a large picture.
+_STEP = 0.004
+_PER_SPAN = 24
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Likeness:
+    """Polylines of a profile and its axis.
+
+    Attributes
+    ----------
+    loops : tuple of (n, 2) arrays
+        Outer loop first, then the holes; the first point is not repeated.
+    branches : tuple of (n, 3) arrays
+        x, y, radius from node to node; a disc's axis is one point. Empty without an axis.
+    """
+
+    loops: tuple[Floats, ...]
+    branches: tuple[Floats, ...] = ()
+
+    @classmethod
+    def of_record(cls, record: ProfileRecord) -> "Likeness":
+        """Unpack the light picture of a sidecar."""
+        light = record.thumbnail
+        loops = (np.array(loop, float).reshape(-1, 2) * light.pitch + light.corner for loop in light.loops)
+        branches = (np.array(run, float).reshape(-1, 3) * light.pitch + (*light.corner, 0.0) for run in light.branches)
+        return cls(tuple(loops), tuple(branches))
+
+    @classmethod
+    def of_axis(cls, profile: Profile, axis: "MedialAxis") -> "Likeness":
+        """Sample the exact values as finely as a large picture shows."""
+        # Pictures that come from sidecars must not load the medial axis and its compiler.
+        from mashape_cad.medial.branch import sampled_branches  # noqa: PLC0415
+
+        loops = tuple(loop.flattened(_PER_SPAN) for loop in profile.loops)
+        if not axis.branches:
+            return cls(loops, (np.column_stack([axis.nodes.centre, axis.nodes.radius]),))
+        samples = sampled_branches(axis, _STEP * profile.diagonal)
+        return cls(loops, tuple(np.column_stack([each.centre, each.radius]) for each in samples))
+
+    @property
+    def bounds(self) -> Floats:
+        """Box of the outline, mm: ((xmin, ymin), (xmax, ymax)); of no size if there is no outline."""
+        points = np.concatenate([*self.loops, np.zeros((0, 2))])
+        if not len(points):
+            return np.zeros((2, 2))
+        return np.array([points.min(axis=0), points.max(axis=0)])
+
+    @property
+    def largest_radius(self) -> float:
+        """Radius of the largest disc, mm; 0 without an axis."""
+        return max((float(branch[:, 2].max()) for branch in self.branches), default=0.0)

@@ -1,0 +1,82 @@
+"""A profile with its medial axis, placed on a canvas: the part that all pictures share."""
+
+from collections import Counter
+from collections.abc import Iterator
+
+import numpy as np
+
+from mashape_cad.geometry.edge import Floats
+from mashape_cad.views.colours import Theme, runs_by_colour
+from mashape_cad.views.drawing import Area, Circle, Lines, Placement, Shape
+from mashape_cad.views.likeness import Likeness
+
+__all__ = ["axis_lines", "junctions", "maximal_discs", "outline"]
+
+_MOST_DISCS = 10
+# Discs below this share of the largest would look like specks.
+_SMALLEST_DISC = 0.18
+_BETWEEN = 8  # places tried for a disc between two points of a branch
+# Radii and distances this close (relative) look the same; light pictures are good to 5e-4 of the size.
+_SAME = 0.01
+
+
+def outline(likeness: Likeness, placement: Placement, theme: Theme, width: float) -> Iterator[Shape]:
+    """Yield the profile, filled lightly, holes left out."""
+    yield Area(tuple(placement.apply(loop) for loop in likeness.loops), theme.fill, theme.ink, width)
+
+
+def axis_lines(likeness: Likeness, placement: Placement, theme: Theme, width: float) -> Iterator[Shape]:
+    """Yield the branches in the colours of their clearance radius, the largest radius of the part being the last."""
+    largest = likeness.largest_radius
+    for branch in likeness.branches:
+        if len(branch) == 1:  # the axis of a disc
+            x, y = placement.apply(branch[:, :2])[0].tolist()
+            yield Circle(x, y, 1.5 * width, theme.axis[-1], theme.axis[-1], 0.0)
+    if largest > 0:
+        for colour, runs in zip(theme.axis, runs_by_colour(likeness.branches, largest, len(theme.axis)), strict=True):
+            yield Lines(tuple(placement.apply(run) for run in runs), colour, width)
+
+
+def maximal_discs(likeness: Likeness, placement: Placement, theme: Theme) -> Iterator[Shape]:
+    """Yield a few maximal discs: the largest, then always the next that keeps clear of those chosen."""
+    largest = likeness.largest_radius
+    for x, y, radius in _chosen(likeness):
+        colour = theme.axis[min(int(radius / largest * len(theme.axis)), len(theme.axis) - 1)]
+        left, top = placement.apply(np.array([[x, y]]))[0].tolist()
+        yield Circle(left, top, radius * placement.scale, colour, colour, 1.0, opacity=0.12)
+        yield Circle(left, top, 1.8, colour, colour, 0.0)
+
+
+def junctions(likeness: Likeness, placement: Placement, theme: Theme, radius: float) -> Iterator[Shape]:
+    """Yield a small ring where three or more branches meet."""
+    size = float(np.max(np.abs(likeness.bounds))) or 1.0
+    ends = [branch[i, :2] for branch in likeness.branches if len(branch) > 1 for i in (0, -1)]
+    met = Counter(tuple(np.rint(end / size * 1e6).astype(int).tolist()) for end in ends)
+    for place, count in met.items():
+        if count > 2:
+            x, y = placement.apply(np.array([place]) * size / 1e6)[0].tolist()
+            yield Circle(x, y, radius, theme.background, theme.ink, 0.9)
+
+
+def _chosen(likeness: Likeness) -> list[Floats]:
+    found = np.concatenate([*(_closely(branch) for branch in likeness.branches), np.zeros((0, 3))])
+    found = found[np.argsort(-found[:, 2], kind="stable")]
+    chosen: list[Floats] = []
+    while len(found) and len(chosen) <= _MOST_DISCS and found[0, 2] >= _SMALLEST_DISC * likeness.largest_radius:
+        disc = found[0]
+        chosen.append(disc)
+        apart = np.hypot(*(found[:, :2] - disc[:2]).T)
+        found = found[apart > (found[:, 2] + disc[2]) * (1 - _SAME)]
+    return chosen if len(chosen) <= _MOST_DISCS else _without_last_size(chosen)
+
+
+def _closely(branch: Floats) -> Floats:
+    """Add places between those of a branch, since few points are enough for a straight one."""
+    places = np.arange(0, len(branch) - 1 + 1e-9, 1 / _BETWEEN)
+    return np.column_stack([np.interp(places, np.arange(len(branch)), column) for column in branch.T])
+
+
+def _without_last_size(chosen: list[Floats]) -> list[Floats]:
+    """Leave out the smallest discs of one size: of those that are alike, a symmetric part shows all or none."""
+    larger = [disc for disc in chosen if disc[2] > chosen[-1][2] * (1 + _SAME)]
+    return larger or chosen[:_MOST_DISCS]
