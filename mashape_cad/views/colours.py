@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from mashape_cad.geometry.edge import Floats
+from mashape_cad.views.drawing import Floats
 
 __all__ = ["ACCENT", "DARK_AXIS", "LIGHT_AXIS", "PAPER", "Theme", "runs_by_colour"]
 

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-
-from mashape_cad.geometry.edge import Floats
+from numpy.typing import NDArray
 
 __all__ = [
     "Anchor",
@@ -25,6 +24,8 @@ __all__ = [
     "rectangle",
 ]
 
+# The same as in `mashape_cad.geometry.edge`, which would load scipy.
+Floats = NDArray[np.float64]
 Anchor = Literal["start", "middle", "end"]
 
 

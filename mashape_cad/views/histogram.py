@@ -7,9 +7,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from mashape_cad.geometry.edge import Floats
 from mashape_cad.views.colours import Theme
-from mashape_cad.views.drawing import Area, Label, Lines, Shape
+from mashape_cad.views.drawing import Area, Floats, Label, Lines, Shape
 
 __all__ = ["histogram"]
 

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from mashape_cad.geometry.edge import Floats
-from mashape_cad.geometry.profile import Profile
 from mashape_cad.library.record import ProfileRecord
+from mashape_cad.views.drawing import Floats
 
 if TYPE_CHECKING:
+    from mashape_cad.geometry.profile import Profile
     from mashape_cad.medial.axis import MedialAxis
 
 __all__ = ["Likeness"]
@@ -46,7 +46,7 @@ class Likeness:
         return cls(tuple(loops), tuple(branches))
 
     @classmethod
-    def of_axis(cls, profile: Profile, axis: "MedialAxis") -> "Likeness":
+    def of_axis(cls, profile: "Profile", axis: "MedialAxis") -> "Likeness":
         """Sample the exact values as finely as a large picture shows."""
         # Pictures that come from sidecars must not load the medial axis and its compiler.
         from mashape_cad.medial.branch import sampled_branches  # noqa: PLC0415

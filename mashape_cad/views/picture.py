@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from mashape_cad.geometry.edge import Floats
-from mashape_cad.geometry.profile import Profile
 from mashape_cad.library.record import ProfileRecord
 from mashape_cad.views.colours import PAPER
 from mashape_cad.views.drawing import (
@@ -17,6 +15,7 @@ from mashape_cad.views.drawing import (
     Area,
     Circle,
     Drawing,
+    Floats,
     Label,
     Lines,
     Placement,
@@ -33,6 +32,7 @@ from mashape_cad.views.raster import png
 from mashape_cad.views.svg import svg
 
 if TYPE_CHECKING:
+    from mashape_cad.geometry.profile import Profile
     from mashape_cad.medial.axis import MedialAxis
     from mashape_cad.signatures.vectors import Signature
 
@@ -65,7 +65,7 @@ class _Subject:
     place: tuple[float, float] | None = None
 
 
-def write_show(out: Path, profile: Profile, axis: "MedialAxis", signature: "Signature", title: str) -> None:
+def write_show(out: Path, profile: "Profile", axis: "MedialAxis", signature: "Signature", title: str) -> None:
     """Draw a profile from its exact values.
 
     Parameters

@@ -5,9 +5,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from mashape_cad.geometry.edge import Floats
 from mashape_cad.views.colours import Theme, runs_by_colour
-from mashape_cad.views.drawing import Area, Circle, Lines, Placement, Shape
+from mashape_cad.views.drawing import Area, Circle, Floats, Lines, Placement, Shape
 from mashape_cad.views.likeness import Likeness
 
 __all__ = ["axis_lines", "junctions", "maximal_discs", "outline"]

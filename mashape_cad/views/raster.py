@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from mashape_cad.geometry.edge import Floats
-from mashape_cad.views.drawing import Anchor, Area, Circle, Drawing, Label, Lines, Shape, printable
+from mashape_cad.views.drawing import Anchor, Area, Circle, Drawing, Floats, Label, Lines, Shape, printable
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist

@@ -3,8 +3,7 @@
 from collections.abc import Iterator
 from xml.sax.saxutils import escape, quoteattr
 
-from mashape_cad.geometry.edge import Floats
-from mashape_cad.views.drawing import Area, Circle, Drawing, Label, Lines, Shape, printable
+from mashape_cad.views.drawing import Area, Circle, Drawing, Floats, Label, Lines, Shape, printable
 
 __all__ = ["FONT", "svg"]
 

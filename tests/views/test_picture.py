@@ -89,8 +89,17 @@ def test_a_profile_without_extent_is_drawn_as_nothing(plate, tmp_path):
 
 
 def test_drawing_a_record_as_svg_loads_nothing_heavy(tmp_path):
-    """No kernel, no reader, no medial axis, no matplotlib."""
-    heavy = ("OCP", "ezdxf", "numba", "matplotlib", "mashape_cad.medial", "mashape_cad.kernel", "mashape_cad.reading")
+    """No kernel, no reader, no medial axis, no scipy, no matplotlib."""
+    heavy = (
+        "OCP",
+        "ezdxf",
+        "numba",
+        "scipy",
+        "matplotlib",
+        "mashape_cad.medial",
+        "mashape_cad.kernel",
+        "mashape_cad.reading",
+    )
     modules = "mashape_cad.views.picture, mashape_cad.views.page"
     code = f"import sys, {modules}; print([m for m in {heavy} if m in sys.modules])"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
