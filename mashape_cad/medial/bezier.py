@@ -10,8 +10,6 @@ G. Farin, Curves and Surfaces for CAGD, 5th ed., chapters 4 to 6 and 13; R. T. F
 a centennial retrospective, CAGD 29 (2012), sections 4 and 5 (arithmetic in Bernstein form).
 """
 
-import math
-
 import numpy as np
 from numba import njit
 
@@ -19,9 +17,14 @@ from mashape_cad.geometry.edge import Floats
 
 __all__ = ["curvature_slope", "derivative", "difference", "evaluate", "halves", "power_distance", "product", "value"]
 
-# Degrees met in files stay below 12; products of curvature_slope have up to 8 times that.
-_MAX_DEGREE = 200
-_BINOMIAL = np.array([[float(math.comb(n, k)) for k in range(_MAX_DEGREE + 1)] for n in range(_MAX_DEGREE + 1)])
+
+@njit(cache=True)
+def binomials(n: int) -> Floats:
+    """Row n of Pascal's triangle, computed each time: a table would be compiled into every function that uses it."""
+    row = np.ones(n + 1)
+    for k in range(1, n):
+        row[k] = row[k - 1] * (n - k + 1) / k
+    return row
 
 
 @njit(cache=True)
@@ -77,11 +80,12 @@ def halves(coefficients: Floats) -> tuple[Floats, Floats]:
 def product(a: Floats, b: Floats) -> Floats:
     """Multiply two polynomials."""
     m, n = len(a) - 1, len(b) - 1
+    scaled_a, scaled_b = binomials(m) * a, binomials(n) * b
     result = np.zeros(m + n + 1)
     for i in range(m + 1):
         for j in range(n + 1):
-            result[i + j] += _BINOMIAL[m, i] * _BINOMIAL[n, j] / _BINOMIAL[m + n, i + j] * a[i] * b[j]
-    return result
+            result[i + j] += scaled_a[i] * scaled_b[j]
+    return result / binomials(m + n)
 
 
 @njit(cache=True)
@@ -109,6 +113,7 @@ def power_distance(control: Floats, degree: int, cx: float, cy: float, r: float)
 
     Negative exactly where the span runs inside the disc; near the circle about ``2 r w^2`` times the distance to it.
     """
+    row = binomials(degree)
     result = np.zeros(2 * degree + 1)
     for i in range(degree + 1):
         wi = control[i, 2]
@@ -116,9 +121,8 @@ def power_distance(control: Floats, degree: int, cx: float, cy: float, r: float)
         for j in range(degree + 1):
             wj = control[j, 2]
             xj, yj = control[j, 0] - cx * wj, control[j, 1] - cy * wj
-            factor = _BINOMIAL[degree, i] * _BINOMIAL[degree, j] / _BINOMIAL[2 * degree, i + j]
-            result[i + j] += factor * (xi * xj + yi * yj - r * r * wi * wj)
-    return result
+            result[i + j] += row[i] * row[j] * (xi * xj + yi * yj - r * r * wi * wj)
+    return result / binomials(2 * degree)
 
 
 @njit(cache=True)

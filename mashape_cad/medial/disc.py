@@ -257,7 +257,10 @@ def _minima_on_span(
         if coefficients.min() > 0.0:
             continue
         second = coefficients[2:] - 2 * coefficients[1:-1] + coefficients[:-2]
-        if high - low > 1e-6 and second.min() < 0.0 and top + 2 <= _MAX_STACK:
+        # A stretch on which the distance varies less than matters (it follows the circle), or that runs far inside the
+        # disc, is as good as one point of it.
+        level = coefficients.max() - coefficients.min() < EMPTY / 2 * r or coefficients.max() < -4.4 * tol * r
+        if not level and high - low > 1e-6 and second.min() < 0.0 and top + 2 <= _MAX_STACK:
             left, right = halves(coefficients)
             middle = (low + high) / 2
             stack[top], stack[top + 1] = right, left

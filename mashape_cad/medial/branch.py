@@ -1,0 +1,136 @@
+"""Branches as curves: the maximal disc at any place of the boundary, and points along a branch."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+
+from mashape_cad.geometry.edge import Floats
+from mashape_cad.medial.disc import twin_on_stretch
+from mashape_cad.medial.graph import Branch, MedialAxis
+from mashape_cad.medial.tour import Ints, Tour
+
+__all__ = ["BranchSamples", "discs_on_piece", "sampled_branches"]
+
+# Halvings of a piece's parameter before a chord longer than the step is left as it is: near an end the centre moves
+# with the square of the parameter, never worse.
+_ROUNDS = 14
+_FIRST = 5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BranchSamples:
+    """Points along a branch, both nodes included.
+
+    Attributes
+    ----------
+    centre : (n, 2) array
+        mm.
+    radius : (n,) array
+        Clearance, mm.
+    """
+
+    centre: Floats
+    radius: Floats
+
+
+def sampled_branches(axis: MedialAxis, step: float) -> tuple[BranchSamples, ...]:
+    """Sample every branch.
+
+    Parameters
+    ----------
+    axis : MedialAxis
+    step : float
+        Largest distance between neighbouring points, mm. Straight pieces are not spared: radii change along them.
+
+    Returns
+    -------
+    tuple of BranchSamples
+        In the order of ``axis.branches``.
+    """
+    return tuple(_sampled(axis, branch, step / axis.frame.size) for branch in axis.branches)
+
+
+def _sampled(axis: MedialAxis, branch: Branch, step: float) -> BranchSamples:
+    start, end = axis.nodes.disc[branch.start], axis.nodes.disc[branch.end]
+    rows = [np.append(axis.discs.centre[start], axis.discs.radius[start])[None]]
+    for number, (piece, forward) in enumerate(branch.pieces):
+        inner = _inner(axis, piece, step)
+        rows.append(inner if forward else inner[::-1])
+        last = int(axis.pieces.disc[piece, int(forward)]) if number + 1 < len(branch.pieces) else int(end)
+        rows.append(np.append(axis.discs.centre[last], axis.discs.radius[last])[None])
+    points = np.concatenate(rows)
+    return BranchSamples(points[:, :2], points[:, 2])
+
+
+def _inner(axis: MedialAxis, piece: int, step: float) -> Floats:
+    """Points strictly inside a piece, from its disc 0 to its disc 1: (n, 3), mm."""
+    low, high = axis.pieces.low[piece, 0], axis.pieces.high[piece, 0]
+    ends = np.column_stack(
+        [
+            (axis.discs.centre[axis.pieces.disc[piece]] - axis.frame.middle) / axis.frame.size,
+            axis.discs.radius[axis.pieces.disc[piece]] / axis.frame.size,
+        ]
+    )
+    t = np.linspace(low, high, _FIRST)
+    points = np.vstack([ends[:1], discs_on_piece(axis, piece, t[1:-1])[:, :3], ends[1:]])
+    for _ in range(_ROUNDS):
+        wide = np.flatnonzero(np.hypot(*np.diff(points[:, :2], axis=0).T) > step)
+        if not len(wide):
+            break
+        middles = (t[wide] + t[wide + 1]) / 2
+        t = np.insert(t, wide + 1, middles)
+        points = np.insert(points, wide + 1, discs_on_piece(axis, piece, middles)[:, :3], axis=0)
+    inner = points[1:-1] * axis.frame.size
+    inner[:, :2] += axis.frame.middle
+    return inner
+
+
+def discs_on_piece(axis: MedialAxis, piece: int, t: Floats, side: int = 0) -> Floats:
+    """Maximal discs at parameters of one side of a piece.
+
+    Returns
+    -------
+    (n, 4) array
+        Centre x and y, radius, in the tour's scale, and the parameter of the twin on the other side.
+    """
+    sides, other = axis.pieces, 1 - side
+    return _discs_on_stretches(
+        axis.tour,
+        int(sides.element[piece, side]),
+        np.ascontiguousarray(t, dtype=float),
+        int(sides.element[piece, other]),
+        float(sides.low[piece, other]),
+        float(sides.high[piece, other]),
+    )
+
+
+@njit(cache=True)
+def _discs_on_stretches(tour: Tour, e: int, t: Floats, f: int, low: float, high: float) -> Floats:
+    out = np.empty((len(t), 4))
+    for k in range(len(t)):
+        out[k] = twin_on_stretch(tour, e, t[k], f, low, high)
+    return out
+
+
+def piece_at(axis: MedialAxis, element: Ints, t: Floats) -> tuple[Ints, Ints]:
+    """Find the contact before each place, and the piece behind that contact.
+
+    Returns
+    -------
+    contact : (n,) array
+        Number of the last contact that starts at or before the place, on the same loop.
+    piece : (n,) array
+        The piece whose boundary holds the place; -1 if the place lies on a contact's arc.
+    """
+    keys = axis.contacts.first[:, 0] + axis.contacts.first[:, 1]
+    loop_of_contact = axis.tour.loop[axis.contacts.first[:, 0].astype(np.int64)]
+    at = np.searchsorted(keys, element + t, side="right") - 1
+    loops = axis.tour.loop[element]
+    # Before the first contact of a loop stands, going round, its last one.
+    last_of_loop = np.array([np.flatnonzero(loop_of_contact == k)[-1] for k in range(int(axis.tour.loop.max()) + 1)])
+    at = np.where((at < 0) | (loop_of_contact[at] != loops), last_of_loop[loops], at)
+    first, last = axis.contacts.first[at].sum(axis=1), axis.contacts.last[at].sum(axis=1)
+    here = element + t
+    on_arc = np.where(first <= last, (here > first) & (here < last), (here > first) | (here < last))
+    return at, np.where(on_arc, -1, axis.contacts.piece[at])

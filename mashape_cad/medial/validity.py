@@ -1,0 +1,233 @@
+"""Whether a boundary is simple: no two of its spans cross or touch but neighbours at their common end.
+
+Pairs of spans whose boxes meet are cut in two until their boxes part, or until both are so short that what is left is
+a contact. Neighbours are compared without the stretches right at their common end, where they meet by right.
+"""
+
+import numpy as np
+from numba import njit
+
+from mashape_cad.errors import InvalidProfileError
+from mashape_cad.geometry.edge import Floats
+from mashape_cad.medial.tour import Frame, Tour
+
+__all__ = ["check_simple"]
+
+# Spans that come this close touch (sizes of the shape): ten times what readers leave between joined ends.
+_TOUCH = 1e-9
+# Neighbours may run this far from their common end (sizes) before they are looked at: below, corners and tangent joins
+# look alike to boxes.
+_JOIN = 1e-6
+
+
+def check_simple(tour: Tour, frame: Frame) -> None:
+    """Refuse a boundary that crosses or touches itself, or whose holes are not inside.
+
+    Raises
+    ------
+    InvalidProfileError
+        With the kind ``crossing`` or ``hole-outside`` and the place, mm.
+    """
+    crossed, x, y = first_contact(tour)
+    if crossed:
+        px, py = frame.middle + frame.size * np.array([x, y])
+        text = f"the outline crosses or touches itself at ({px:.6g}, {py:.6g}); mend it in the drawing"
+        raise InvalidProfileError("crossing", text, (float(px), float(py)))
+    outer = tour.sample[tour.loop[tour.sample_element] == 0]
+    for loop in range(1, int(tour.loop.max()) + 1):
+        x, y = tour.sample[tour.loop[tour.sample_element] == loop][0]
+        if not _winds_round(outer, float(x), float(y)):
+            px, py = frame.middle + frame.size * np.array([x, y])
+            text = f"the hole at ({px:.6g}, {py:.6g}) lies outside the outer loop"
+            raise InvalidProfileError("hole-outside", text, (float(px), float(py)))
+
+
+def _winds_round(polygon: Floats, x: float, y: float) -> bool:
+    """Whether a closed polygon winds round a point once, counter-clockwise."""
+    angle = np.unwrap(np.arctan2(polygon[:, 1] - y, polygon[:, 0] - x))
+    closing = np.arctan2(polygon[0, 1] - y, polygon[0, 0] - x)
+    turns = (np.unwrap([angle[-1], closing])[1] - angle[0]) / (2 * np.pi)
+    return bool(round(turns) == 1)
+
+
+@njit(cache=True)
+def first_contact(tour: Tour) -> tuple[bool, float, float]:
+    """Find two spans that meet where they should not.
+
+    Returns
+    -------
+    found : bool
+    x, y : float
+        The place.
+    """
+    n = len(tour.degree)
+    order = np.argsort(tour.box[:, 0])
+    for i in range(n):
+        a = order[i]
+        if tour.degree[a] == 0:
+            continue
+        if tour.degree[a] > 1:
+            found, x, y = _self_contact(tour, a)
+            if found:
+                return True, x, y
+        for j in range(i + 1, n):
+            b = order[j]
+            if tour.box[b, 0] > tour.box[a, 2] + _TOUCH:
+                break
+            if (
+                tour.degree[b] == 0
+                or tour.box[b, 1] > tour.box[a, 3] + _TOUCH
+                or tour.box[a, 1] > tour.box[b, 3] + _TOUCH
+            ):
+                continue
+            a_end_b_start = _follows(tour, a, b)
+            b_end_a_start = _follows(tour, b, a)
+            found, x, y = _pair_contact(
+                tour.control[a], tour.degree[a], tour.control[b], tour.degree[b], a_end_b_start, b_end_a_start
+            )
+            if found:
+                return True, x, y
+    return False, 0.0, 0.0
+
+
+@njit(cache=True)
+def _follows(tour: Tour, a: int, b: int) -> bool:
+    """Whether span b starts where span a ends."""
+    c = tour.after[a]
+    if tour.degree[c] == 0:
+        c = tour.after[c]
+    return bool(c == b)
+
+
+@njit(cache=True)
+def _split(control: Floats, degree: int) -> tuple[Floats, Floats]:
+    """Cut a span in the middle."""
+    left, right = control[: degree + 1].copy(), control[: degree + 1].copy()
+    for k in range(degree + 1):
+        left[k] = right[0]
+        for i in range(degree - k):
+            for c in range(3):
+                right[i, c] = (right[i, c] + right[i + 1, c]) / 2
+    return left, right
+
+
+@njit(cache=True)
+def _turning(control: Floats, degree: int) -> float:
+    """Bound on how far the tangent of a span turns: the sum of the angles between control legs."""
+    total = 0.0
+    px = py = 0.0
+    seen = False
+    for i in range(degree):
+        dx = control[i + 1, 0] / control[i + 1, 2] - control[i, 0] / control[i, 2]
+        dy = control[i + 1, 1] / control[i + 1, 2] - control[i, 1] / control[i, 2]
+        if dx * dx + dy * dy < 1e-24:
+            continue
+        if seen:
+            total += abs(np.arctan2(px * dy - py * dx, px * dx + py * dy))
+        px, py, seen = dx, dy, True
+    return total
+
+
+@njit(cache=True)
+def _self_contact(tour: Tour, e: int) -> tuple[bool, float, float]:
+    """Whether one span crosses itself: a piece that turns less than 180 degrees cannot; others are cut in two."""
+    degree = tour.degree[e]
+    stack = np.empty((64, degree + 1, 3))
+    stack[0] = tour.control[e, : degree + 1]
+    top = 1
+    for _ in range(4000):
+        if top == 0:
+            break
+        top -= 1
+        piece = stack[top].copy()
+        if _turning(piece, degree) < np.pi or top + 2 > 64:
+            continue
+        left, right = _split(piece, degree)
+        found, x, y = _pair_contact(left, degree, right, degree, True, False)
+        if found:
+            return True, x, y
+        stack[top], stack[top + 1] = left, right
+        top += 2
+    return False, 0.0, 0.0
+
+
+@njit(cache=True)
+def _pair_contact(
+    first: Floats, first_degree: int, second: Floats, second_degree: int, head: bool, tail: bool
+) -> tuple[bool, float, float]:
+    """Whether two spans meet, other than where the first's end is the second's start (`head`), or the reverse."""
+    size = 512
+    a = np.empty((size, first_degree + 1, 3))
+    b = np.empty((size, second_degree + 1, 3))
+    flags = np.empty((size, 2), np.bool_)  # whether the pieces still share the common end of head, of tail
+    a[0], b[0] = first[: first_degree + 1], second[: second_degree + 1]
+    flags[0, 0], flags[0, 1] = head, tail
+    top = 1
+    for _ in range(200000):
+        if top == 0:
+            return False, 0.0, 0.0
+        top -= 1
+        p, q = a[top].copy(), b[top].copy()
+        at_head, at_tail = flags[top, 0], flags[top, 1]
+        px0, py0, px1, py1 = _bounds(p)
+        qx0, qy0, qx1, qy1 = _bounds(q)
+        if px0 > qx1 + _TOUCH or qx0 > px1 + _TOUCH or py0 > qy1 + _TOUCH or qy0 > py1 + _TOUCH:
+            continue
+        p_size, q_size = max(px1 - px0, py1 - py0), max(qx1 - qx0, qy1 - qy0)
+        if (at_head or at_tail) and max(p_size, q_size) < _JOIN:
+            continue
+        if at_head and not at_tail and _parts_at_once(p, q, p_size, q_size):
+            continue
+        if at_tail and not at_head and _parts_at_once(q, p, q_size, p_size):
+            continue
+        if max(p_size, q_size) < _TOUCH or top + 4 > size:
+            return True, (px0 + px1) / 2, (py0 + py1) / 2
+        if p_size >= q_size:
+            left, right = _split(p, first_degree)
+            a[top], b[top] = left, q
+            flags[top, 0], flags[top, 1] = False, at_tail
+            a[top + 1], b[top + 1] = right, q
+            flags[top + 1, 0], flags[top + 1, 1] = at_head, False
+        else:
+            left, right = _split(q, second_degree)
+            a[top], b[top] = p, left
+            flags[top, 0], flags[top, 1] = at_head, False
+            a[top + 1], b[top + 1] = p, right
+            flags[top + 1, 0], flags[top + 1, 1] = False, at_tail
+        top += 2
+    return True, (a[0, 0, 0]) / a[0, 0, 2], a[0, 0, 1] / a[0, 0, 2]
+
+
+@njit(cache=True)
+def _parts_at_once(p: Floats, q: Floats, p_size: float, q_size: float) -> bool:
+    """Whether piece q, which starts where p ends, surely runs away from p.
+
+    It does if one direction d has all control legs of both pieces pointing forward along it: then p lies before
+    their common point, q behind it.
+    """
+    n, m = len(p), len(q)
+    dx = q[m - 1, 0] / q[m - 1, 2] - p[0, 0] / p[0, 2]
+    dy = q[m - 1, 1] / q[m - 1, 2] - p[0, 1] / p[0, 2]
+    if dx * dx + dy * dy < 1e-4 * min(p_size, q_size) ** 2:
+        return False
+    for i in range(n - 1):
+        lx = p[i + 1, 0] / p[i + 1, 2] - p[i, 0] / p[i, 2]
+        ly = p[i + 1, 1] / p[i + 1, 2] - p[i, 1] / p[i, 2]
+        if lx * dx + ly * dy < 0.0:
+            return False
+    for i in range(m - 1):
+        lx = q[i + 1, 0] / q[i + 1, 2] - q[i, 0] / q[i, 2]
+        ly = q[i + 1, 1] / q[i + 1, 2] - q[i, 1] / q[i, 2]
+        if lx * dx + ly * dy < 0.0:
+            return False
+    return True
+
+
+@njit(cache=True)
+def _bounds(control: Floats) -> tuple[float, float, float, float]:
+    x0 = x1 = control[0, 0] / control[0, 2]
+    y0 = y1 = control[0, 1] / control[0, 2]
+    for i in range(1, len(control)):
+        x, y = control[i, 0] / control[i, 2], control[i, 1] / control[i, 2]
+        x0, x1, y0, y1 = min(x0, x), max(x1, x), min(y0, y), max(y1, y)
+    return x0, y0, x1, y1
