@@ -76,7 +76,7 @@ def face_record() -> ProfileRecord:
 def put_part(path: Path, *profiles: ProfileRecord, options: PartOptions | None = None) -> Path:
     """Write a part file and the sidecar that a scan would have given it."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(f"content of {path.name}", encoding="utf-8")
+    path.write_bytes(b"content of " + os.fsencode(path.name))
     write_sidecar(sidecar_path(path), sidecar(source_of(path), *profiles, options=options))
     return path
 

@@ -67,7 +67,7 @@ def search(
     if output is not None:
         from mashape_cad.views.page import write_sheet
 
-        write_sheet(output, asked.record, matches)
+        write_sheet(output, asked.record, matches, name=query.name)
     return 0
 
 

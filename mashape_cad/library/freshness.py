@@ -11,7 +11,7 @@ from pathlib import Path
 
 from mashape_cad.errors import SidecarError, UnreadableFileError
 from mashape_cad.library.record import CURRENT_SIGNATURE, Sidecar, Source
-from mashape_cad.library.sidecar import UnknownVersionError, read_sidecar, sidecar_path
+from mashape_cad.library.sidecar import UnknownVersionError, read_sidecar, sidecar_path, valid_text
 from mashape_cad.options import PartOptions
 
 __all__ = ["Freshness", "Status", "freshness", "source_of"]
@@ -58,7 +58,7 @@ def source_of(part: Path) -> Source:
         status = part.stat()
     except OSError as error:
         raise UnreadableFileError(f"{part}: {error.strerror or error}; check the path") from error
-    return Source(part.name, status.st_size, status.st_mtime_ns, _hash(part))
+    return Source(valid_text(part.name), status.st_size, status.st_mtime_ns, _hash(part))
 
 
 def freshness(part: Path, options: PartOptions) -> Freshness:
@@ -98,7 +98,7 @@ def _without_hash(part: Path, kept: Source) -> Source:
         status = part.stat()
     except OSError as error:
         raise UnreadableFileError(f"{part}: {error.strerror or error}; check the path") from error
-    return Source(part.name, status.st_size, status.st_mtime_ns, kept.blake2b)
+    return Source(valid_text(part.name), status.st_size, status.st_mtime_ns, kept.blake2b)
 
 
 def _hash(part: Path) -> str | None:

@@ -19,10 +19,10 @@ __all__ = [
     "UnknownVersionError",
     "decode",
     "encode",
-    "part_path",
     "read_sidecar",
     "schema",
     "sidecar_path",
+    "valid_text",
     "write_sidecar",
 ]
 
@@ -60,9 +60,9 @@ def sidecar_path(part: Path) -> Path:
     return part.with_name(part.name + SUFFIX)
 
 
-def part_path(sidecar: Path) -> Path:
-    """Return the part file that a sidecar lies beside."""
-    return sidecar.with_name(sidecar.name.removesuffix(SUFFIX))
+def valid_text(text: str) -> str:
+    """Return a text that can be written as UTF-8: what Python took in as stray bytes becomes a question mark."""
+    return text.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
 
 
 def encode(sidecar: Sidecar) -> bytes:
@@ -157,7 +157,7 @@ def _replace(path: Path, content: bytes) -> None:
 def _lines(value: Any, newline: bytes) -> Iterator[bytes]:
     """Yield the text of a value, indented by one space a level; `newline` is a line's end and the indent so far."""
     if _is_flat(value):
-        yield msgspec.json.encode(value)
+        yield _json(value)
     elif isinstance(value, Mapping):
         yield from _block(value.items(), newline, b"{}", lambda item: msgspec.json.encode(item[0]) + b": ")
     else:
@@ -171,6 +171,21 @@ def _block(items: Any, newline: bytes, brackets: bytes, label: Any) -> Iterator[
         yield (b"," if number else b"") + deeper + label(item)
         yield from _lines(item[1], deeper)
     yield newline + brackets[1:]
+
+
+def _json(value: Any) -> bytes:
+    try:
+        return msgspec.json.encode(value)
+    except UnicodeEncodeError:  # bytes that were no text, in a layer's name say
+        return msgspec.json.encode(_valid(value))
+
+
+def _valid(value: Any) -> Any:
+    if isinstance(value, str):
+        return valid_text(value)
+    if isinstance(value, Mapping):
+        return {name: _valid(member) for name, member in value.items()}
+    return [_valid(member) for member in value] if isinstance(value, list | tuple) else value
 
 
 def _is_flat(value: Any) -> bool:

@@ -10,6 +10,7 @@ import msgspec
 
 from mashape_cad.library.match import Match
 from mashape_cad.library.record import ProfileRecord
+from mashape_cad.library.sidecar import valid_text
 from mashape_cad.scanning import FileScanned, ScanSummary
 
 __all__ = [
@@ -25,7 +26,7 @@ __all__ = [
 
 def readable(path: Path) -> str:
     """Return a path as valid text; a file name need not be valid UTF-8 on every system."""
-    return str(path).encode("utf-8", "surrogateescape").decode("utf-8", "replace")
+    return valid_text(str(path))
 
 
 def file_message(event: FileScanned) -> str:

@@ -107,6 +107,13 @@ def test_fields_that_are_not_known_are_passed_over():
     assert decode(encode(WHOLE).replace(b'"generator"', b'"later": [1], "generator"', 1)) == WHOLE
 
 
+def test_stray_bytes_in_a_text_become_question_marks():
+    """A layer's name in another encoding does not cost the sidecar."""
+    layer = replace(WHOLE.profiles[0].origin, layer="L\udce4nge")
+    value = replace(WHOLE, profiles=(replace(WHOLE.profiles[0], origin=layer),))
+    assert decode(encode(value)).profiles[0].origin.layer == "L\ufffdnge"
+
+
 def test_missing_options_have_their_defaults():
     """An option that came later has its default in older sidecars, so that they stay fresh."""
     content = encode(WHOLE).replace(b',"gap_rel":0.0001', b"", 1)
