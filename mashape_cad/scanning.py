@@ -8,9 +8,9 @@ ended.
 import os
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import closing, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 from mashape_cad.errors import KernelUnavailableError, MashapeError, SidecarError, UnreadableFileError
@@ -150,13 +150,14 @@ def scan(
     """
     started = time.perf_counter()
     options = options or ScanOptions()
-    done = list[FileScanned]()
+    counts = Counter[str]()
     for event in _events(folders, options, _Work(derive, options.part), warm_up):
         if isinstance(event, FileScanned):
-            done.append(event)
+            counts.update(_counts(event))
         if on_event is not None:
             on_event(event)
-    return _summary(done, time.perf_counter() - started)
+    counted = {each.name: counts[each.name] for each in fields(ScanSummary) if each.name != "seconds"}
+    return ScanSummary(**counted, seconds=time.perf_counter() - started)
 
 
 def _events(
@@ -245,14 +246,8 @@ def _out_of_reach(part: Path, error: MashapeError) -> FileScanned:
     return FileScanned(part, Status.FAILED, failure=Failure(kind, str(error)))
 
 
-def _summary(done: Sequence[FileScanned], seconds: float) -> ScanSummary:
-    counts = Counter(each.status for each in done)
-    return ScanSummary(
-        new=counts[Status.NEW],
-        changed=counts[Status.CHANGED],
-        unchanged=counts[Status.UNCHANGED],
-        failed=counts[Status.FAILED],
-        failed_before=sum(each.status is Status.UNCHANGED and each.failure is not None for each in done),
-        profiles=sum(len(each.sidecar.profiles) for each in done if each.sidecar is not None),
-        seconds=seconds,
-    )
+def _counts(event: FileScanned) -> Counter[str]:
+    counts = Counter({event.status.value: 1})
+    counts["failed_before"] = event.status is Status.UNCHANGED and event.failure is not None
+    counts["profiles"] = len(event.sidecar.profiles) if event.sidecar else 0
+    return counts

@@ -66,7 +66,7 @@ def search_summary(query: Path, profile: int | None, matches: int, parts: int, s
 
 
 def certificate_message(path: Path, profile: int, record: ProfileRecord) -> str:
-    """Return the line of one profile; without an axis its figures are null and `reason` says why."""
+    """Return the line of one profile; `reason` says why it is not ok; without an axis the figures are null."""
     axis, refused = record.axis, record.refused
     return _line(
         "certificate",
@@ -85,7 +85,7 @@ def certificate_message(path: Path, profile: int, record: ProfileRecord) -> str:
         max_disc_error=axis and axis.max_disc_error,
         max_foot_error=axis and axis.max_foot_error,
         ok=axis is not None and axis.ok,
-        reason=refused and refused.text,
+        reason=refused.text if refused else _doubt(record),
         refused=refused,
     )
 
@@ -93,6 +93,17 @@ def certificate_message(path: Path, profile: int, record: ProfileRecord) -> str:
 def certify_summary(path: Path, profiles: int, ok: int, seconds: float) -> str:
     """Return the last line of a certification."""
     return _line("summary", path=readable(path), profiles=profiles, ok=ok, seconds=seconds)
+
+
+def _doubt(record: ProfileRecord) -> str | None:
+    axis = record.axis
+    if axis is None or axis.ok:
+        return None
+    if not axis.connected:
+        return "the axis is not connected"
+    if axis.cycles != record.holes:
+        return f"the axis has {axis.cycles} cycles around {record.holes} holes"
+    return "the errors are too large, or junctions and ends do not agree in number"
 
 
 def _line(message_type: str, **fields: Any) -> str:

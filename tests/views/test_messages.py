@@ -1,0 +1,60 @@
+"""JSON lines for other programs."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from stand_ins import AXIS, REFUSED, face_record, profile_record
+
+from mashape_cad.views.messages import certificate_message, readable
+
+PROMISED = {
+    "path", "profile", "edges", "holes", "area_mm2", "perimeter_mm", "max_radius_mm", "branches", "junctions", "ends",
+    "cycles", "connected", "max_disc_error", "max_foot_error", "ok",
+}  # fmt: skip
+
+
+def _certificate(record):
+    return json.loads(certificate_message(Path("a.dxf"), 2, record))
+
+
+def test_certificate_has_all_that_is_promised():
+    """Others rely on these fields."""
+    message = _certificate(profile_record(1))
+    assert message["message_type"] == "certificate"
+    assert set(message) >= PROMISED
+    assert (message["path"], message["profile"], message["area_mm2"], message["perimeter_mm"]) == (
+        "a.dxf",
+        2,
+        100.0,
+        40.0,
+    )
+    assert (message["max_radius_mm"], message["branches"], message["ok"], message["reason"]) == (5.0, 4, True, None)
+
+
+def test_certificate_of_a_refused_profile_says_why():
+    """The fields are there, the figures are null, ok is false."""
+    message = _certificate(face_record())
+    assert set(message) >= PROMISED
+    assert (message["ok"], message["connected"], message["max_radius_mm"]) == (False, False, None)
+    assert message["reason"] == REFUSED.text
+    assert message["refused"]["kind"] == "crossing"
+
+
+@pytest.mark.parametrize(
+    ("axis", "text"),
+    [
+        (replace(AXIS, connected=False, ok=False), "not connected"),
+        (replace(AXIS, cycles=1, ok=False), "1 cycles around 0 holes"),
+        (replace(AXIS, max_disc_error=1e-3, ok=False), "errors are too large"),
+    ],
+)
+def test_certificate_that_is_not_ok_says_what_is_in_doubt(axis, text):
+    """An axis that is there, but not proven."""
+    assert text in _certificate(replace(profile_record(1), axis=axis))["reason"]
+
+
+def test_paths_are_valid_text():
+    """Whatever bytes a file name has."""
+    assert readable(Path("L\udce4nge/ä.dxf")) == str(Path("L\ufffdnge/ä.dxf"))
