@@ -164,12 +164,40 @@ def test_sidecar_that_cannot_be_written_fails_that_file(tmp_path):
     assert [path.name for path in tmp_path.iterdir() if path.name.startswith(".mashape")] == []
 
 
-@pytest.mark.skipif(os.name == "nt" or os.geteuid() == 0, reason="permissions do not bind the superuser")
 def test_read_only_folder(tmp_path):
     """Its files fail, and nothing is lost."""
     _put(tmp_path, "a.dxf", "sub/b.dxf")
     (tmp_path / "sub").chmod(0o555)
-    assert _statuses(tmp_path)[0] == {"a.dxf": "new", "b.dxf": "failed"}
+    if os.access(tmp_path / "sub", os.W_OK):
+        pytest.skip("permissions do not bind this user")
+    statuses, scanned, _ = _statuses(tmp_path)
+    assert statuses == {"a.dxf": "new", "b.dxf": "failed"}
+    assert "make the folder writable and scan again" in scanned["b.dxf"].failure.text
+
+
+def test_no_read_permission(tmp_path):
+    """The file fails, and is tried again once it may be read."""
+    _put(tmp_path, "a.dxf")
+    (tmp_path / "a.dxf").chmod(0)
+    if os.access(tmp_path / "a.dxf", os.R_OK):
+        pytest.skip("permissions do not bind this user")
+    _statuses(tmp_path)
+    assert read_sidecar(sidecar_path(tmp_path / "a.dxf")).source.blake2b is None
+    assert _statuses(tmp_path)[0] == {"a.dxf": "unchanged"}
+    (tmp_path / "a.dxf").chmod(0o644)
+    assert _statuses(tmp_path)[0] == {"a.dxf": "changed"}
+
+
+def test_folder_that_cannot_be_listed(tmp_path):
+    """It counts as failed and is named; the others are scanned."""
+    _put(tmp_path, "a.dxf", "sub/b.dxf")
+    (tmp_path / "sub").chmod(0)
+    if os.access(tmp_path / "sub", os.R_OK):
+        pytest.skip("permissions do not bind this user")
+    statuses, scanned, _ = _statuses(tmp_path)
+    (tmp_path / "sub").chmod(0o755)
+    assert statuses == {"a.dxf": "new", "sub": "failed"}
+    assert "cannot be listed" in scanned["sub"].failure.text
 
 
 def test_sidecar_of_a_newer_release_is_left_alone(tmp_path):
