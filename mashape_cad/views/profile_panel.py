@@ -14,6 +14,9 @@ __all__ = ["axis_lines", "junctions", "maximal_discs", "outline"]
 _MOST_DISCS = 10
 # Discs below this share of the largest would look like specks.
 _SMALLEST_DISC = 0.18
+# How much room around a disc counts against its own radius: with 0 all discs gather where the part is wide, and with
+# more they seek the tips.
+_SPREAD = 0.2
 _BETWEEN = 8  # places tried for a disc between two points of a branch
 # Radii and distances this close (relative) look the same; light pictures are good to 5e-4 of the size.
 _SAME = 0.01
@@ -37,7 +40,7 @@ def axis_lines(likeness: Likeness, placement: Placement, theme: Theme, width: fl
 
 
 def maximal_discs(likeness: Likeness, placement: Placement, theme: Theme) -> Iterator[Shape]:
-    """Yield a few maximal discs: the largest, then always the next that keeps clear of those chosen."""
+    """Yield a few maximal discs: the largest, then others, large and far from those chosen, that overlap none."""
     largest = likeness.largest_radius
     for x, y, radius in _chosen(likeness):
         colour = theme.axis[min(int(radius / largest * len(theme.axis)), len(theme.axis) - 1)]
@@ -59,13 +62,16 @@ def junctions(likeness: Likeness, placement: Placement, theme: Theme, radius: fl
 
 def _chosen(likeness: Likeness) -> list[Floats]:
     found = np.concatenate([*(_closely(branch) for branch in likeness.branches), np.zeros((0, 3))])
-    found = found[np.argsort(-found[:, 2], kind="stable")]
+    found = found[found[:, 2] >= _SMALLEST_DISC * likeness.largest_radius]
+    gap = np.zeros(len(found))
     chosen: list[Floats] = []
-    while len(found) and len(chosen) <= _MOST_DISCS and found[0, 2] >= _SMALLEST_DISC * likeness.largest_radius:
-        disc = found[0]
+    while len(found) and len(chosen) <= _MOST_DISCS:
+        disc = found[np.argmax(found[:, 2] + _SPREAD * gap)]
         chosen.append(disc)
-        apart = np.hypot(*(found[:, :2] - disc[:2]).T)
-        found = found[apart > (found[:, 2] + disc[2]) * (1 - _SAME)]
+        apart = np.hypot(*(found[:, :2] - disc[:2]).T) - found[:, 2] - disc[2]
+        gap = apart if len(chosen) == 1 else np.minimum(gap, apart)
+        clear = gap > -_SAME * (found[:, 2] + disc[2])
+        found, gap = found[clear], gap[clear]
     return chosen if len(chosen) <= _MOST_DISCS else _without_last_size(chosen)
 
 
@@ -76,6 +82,7 @@ def _closely(branch: Floats) -> Floats:
 
 
 def _without_last_size(chosen: list[Floats]) -> list[Floats]:
-    """Leave out the smallest discs of one size: of those that are alike, a symmetric part shows all or none."""
-    larger = [disc for disc in chosen if disc[2] > chosen[-1][2] * (1 + _SAME)]
-    return larger or chosen[:_MOST_DISCS]
+    """Leave out the last discs that are of one size: of those that are alike, a symmetric part shows all or none."""
+    alike = [abs(disc[2] - chosen[-1][2]) <= _SAME * disc[2] for disc in chosen]
+    kept = len(chosen) - alike[::-1].index(False) if False in alike else _MOST_DISCS
+    return chosen[:kept]

@@ -5,11 +5,14 @@ import sys
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from mashape_cad.errors import MashapeError
+from mashape_cad.geometry.edge import Line
+from mashape_cad.geometry.profile import Loop, Profile
 from mashape_cad.library.record import Refusal, Thumbnail
-from mashape_cad.views.picture import write_record
+from mashape_cad.views.picture import write_record, write_show
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -104,3 +107,17 @@ def test_drawing_a_record_as_svg_loads_nothing_heavy(tmp_path):
     code = f"import sys, {modules}; print([m for m in {heavy} if m in sys.modules])"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+def test_exact_values_are_drawn_like_a_record(tmp_path):
+    """Profile, axis and signature, with a radius in the colour bar and as many branches as there are."""
+    from mashape_cad import medial_axis, signature
+
+    corners = np.array([(0.0, 0.0), (30.0, 0.0), (30.0, 10.0), (0.0, 10.0)])
+    sides = (Line.of(a, b) for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True))
+    axis = medial_axis(Profile.of(Loop(tuple(sides))))
+    write_show(tmp_path / "plate.svg", axis.profile, axis, signature(axis), "plate.dxf")
+    said = texts(tmp_path / "plate.svg")
+    assert "30.0 × 10.0 mm · 4 edges · no holes · 5 branches" in said
+    assert "5 mm" in said
+    assert {"DF", "RF", "CF"} <= set(said)
