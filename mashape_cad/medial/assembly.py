@@ -18,7 +18,7 @@ __all__ = ["assembled", "foot", "single_disc"]
 
 def assembled(profile: Profile, tour: Tour, frame: Frame, faces: Faces) -> MedialAxis:
     """Make the medial axis of a domain whose faces all have two gaps."""
-    pieces, piece_of_gap = _pieces(faces)
+    pieces, side_of_gap = _pieces(faces)
     degree = np.bincount(faces.disc_of, minlength=len(faces.discs))
     node_discs = np.flatnonzero(degree != 2)
     if not len(node_discs):
@@ -28,7 +28,7 @@ def assembled(profile: Profile, tour: Tour, frame: Frame, faces: Faces) -> Media
     discs = _discs(profile, tour, frame, faces.discs, degree)
     kinds = tuple({1: "end", 2: "seam"}.get(int(degree[d]), "junction") for d in node_discs)
     nodes = Nodes(discs.centre[node_discs], discs.radius[node_discs], degree[node_discs], kinds, node_discs)
-    return MedialAxis(profile, nodes, branches, discs, _contacts(faces, piece_of_gap), pieces, tour, frame)
+    return MedialAxis(profile, nodes, branches, discs, _contacts(faces, side_of_gap), pieces, tour, frame)
 
 
 def single_disc(profile: Profile, tour: Tour, frame: Frame, disc: SettledDisc) -> MedialAxis:
@@ -38,7 +38,9 @@ def single_disc(profile: Profile, tour: Tour, frame: Frame, disc: SettledDisc) -
     nodes = Nodes(discs.centre, discs.radius, np.zeros(1, dtype=np.int64), ("disc",), np.zeros(1, dtype=np.int64))
     none = np.zeros((0, 2))
     no_index = np.zeros((0, 2), dtype=np.int64)
-    contacts = Contacts(none, none, np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64))
+    zero = np.zeros(1, dtype=np.int64)
+    around = np.array([[len(tour.degree), 0.0]])
+    contacts = Contacts(np.zeros((1, 2)), around, zero, zero - 1, zero)
     return MedialAxis(profile, nodes, (), discs, contacts, Pieces(no_index, none, none, no_index), tour, frame)
 
 
@@ -62,15 +64,15 @@ def _angle_fraction(t: float, angle: float) -> float:
     return (math.atan2(y, x) + half) / (2 * half)
 
 
-def _pieces(faces: Faces) -> tuple[Pieces, dict[int, int]]:
-    """Return the pieces, and which piece each gap bounds."""
+def _pieces(faces: Faces) -> tuple[Pieces, dict[int, tuple[int, int]]]:
+    """Return the pieces, and of which piece, and which side of it, each gap is the boundary."""
     rows = []
-    piece_of_gap = {}
+    side_of_gap = {}
     for number, face in enumerate(faces.faces):
         sides = [faces.stretch(gap) for gap in face]
         if len(face) != 2 or sides[0] is None or sides[1] is None:
             raise AxisError("a face was left unresolved")
-        piece_of_gap |= dict.fromkeys(face, number)
+        side_of_gap |= {gap: (number, side) for side, gap in enumerate(face)}
         # Along the first gap the piece runs from the disc where that gap starts to the disc where it ends.
         rows.append((sides[0], sides[1], faces.disc_of[face[0]], faces.disc_of[faces.after[face[0]]]))
     pieces = Pieces(
@@ -79,7 +81,7 @@ def _pieces(faces: Faces) -> tuple[Pieces, dict[int, int]]:
         np.array([[a[2], b[2]] for a, b, _, _ in rows]),
         np.array([[c, d] for _, _, c, d in rows], dtype=np.int64),
     )
-    return pieces, piece_of_gap
+    return pieces, side_of_gap
 
 
 def _branches(pieces: Pieces, node_of: dict[int, int]) -> tuple[Branch, ...]:
@@ -136,11 +138,12 @@ def _discs(profile: Profile, tour: Tour, frame: Frame, settled: list[SettledDisc
     )
 
 
-def _contacts(faces: Faces, piece_of_gap: dict[int, int]) -> Contacts:
+def _contacts(faces: Faces, side_of_gap: dict[int, tuple[int, int]]) -> Contacts:
     order = sorted(range(len(faces.contact)), key=lambda c: faces.contact[c][0])
     return Contacts(
         np.array([faces.contact[c][0] for c in order], dtype=float),
         np.array([faces.contact[c][1] for c in order], dtype=float),
         np.array([faces.disc_of[c] for c in order], dtype=np.int64),
-        np.array([piece_of_gap[c] for c in order], dtype=np.int64),
+        np.array([side_of_gap[c][0] for c in order], dtype=np.int64),
+        np.array([side_of_gap[c][1] for c in order], dtype=np.int64),
     )

@@ -4,18 +4,21 @@ from dataclasses import dataclass
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.disc import twin_on_stretch
 from mashape_cad.medial.graph import Branch, MedialAxis
 from mashape_cad.medial.tour import Ints, Tour
 
-__all__ = ["BranchSamples", "discs_on_piece", "sampled_branches"]
+__all__ = ["BranchSamples", "contact_before", "discs_on_piece", "sampled_branches"]
 
 # Halvings of a piece's parameter before a chord longer than the step is left as it is: near an end the centre moves
 # with the square of the parameter, never worse.
 _ROUNDS = 14
 _FIRST = 5
+# Places this close before a contact (in the tour's parameter) are on it, whatever rounding says.
+_ON_CONTACT = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -113,24 +116,26 @@ def _discs_on_stretches(tour: Tour, e: int, t: Floats, f: int, low: float, high:
     return out
 
 
-def piece_at(axis: MedialAxis, element: Ints, t: Floats) -> tuple[Ints, Ints]:
-    """Find the contact before each place, and the piece behind that contact.
+def contact_before(axis: MedialAxis, element: Ints, t: Floats) -> tuple[Ints, NDArray[np.bool_]]:
+    """Find the contact before each place: the boundary of a piece starts behind it.
+
+    A place on a contact belongs to the piece that follows (reading 9).
 
     Returns
     -------
     contact : (n,) array
         Number of the last contact that starts at or before the place, on the same loop.
-    piece : (n,) array
-        The piece whose boundary holds the place; -1 if the place lies on a contact's arc.
+    on_arc : (n,) array
+        Whether the place lies on that contact's arc, and so on no piece.
     """
-    keys = axis.contacts.first[:, 0] + axis.contacts.first[:, 1]
-    loop_of_contact = axis.tour.loop[axis.contacts.first[:, 0].astype(np.int64)]
-    at = np.searchsorted(keys, element + t, side="right") - 1
-    loops = axis.tour.loop[element]
+    contacts, tour = axis.contacts, axis.tour
+    first, last = contacts.first.sum(axis=1), contacts.last.sum(axis=1)
+    loop_of_contact = tour.loop[contacts.first[:, 0].astype(np.int64)]
+    here, loop = element + t, tour.loop[element]
+    contact = np.searchsorted(first, here + _ON_CONTACT, side="right") - 1
     # Before the first contact of a loop stands, going round, its last one.
-    last_of_loop = np.array([np.flatnonzero(loop_of_contact == k)[-1] for k in range(int(axis.tour.loop.max()) + 1)])
-    at = np.where((at < 0) | (loop_of_contact[at] != loops), last_of_loop[loops], at)
-    first, last = axis.contacts.first[at].sum(axis=1), axis.contacts.last[at].sum(axis=1)
-    here = element + t
-    on_arc = np.where(first <= last, (here > first) & (here < last), (here > first) | (here < last))
-    return at, np.where(on_arc, -1, axis.contacts.piece[at])
+    last_of_loop = np.searchsorted(loop_of_contact, loop, side="right") - 1
+    contact = np.where((contact < 0) | (loop_of_contact[contact] != loop), last_of_loop, contact)
+    begin, end = first[contact], last[contact]
+    inside = np.where(begin <= end, (here > begin) & (here < end - _ON_CONTACT), (here > begin) | (here < end))
+    return contact, inside & (begin != end)

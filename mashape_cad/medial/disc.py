@@ -257,9 +257,10 @@ def _minima_on_span(
         if coefficients.min() > 0.0:
             continue
         second = coefficients[2:] - 2 * coefficients[1:-1] + coefficients[:-2]
-        # A stretch on which the distance varies less than matters (it follows the circle), or that runs far inside the
-        # disc, is as good as one point of it.
-        level = coefficients.max() - coefficients.min() < EMPTY / 2 * r or coefficients.max() < -4.4 * tol * r
+        # A stretch that runs inside the disc as a whole is a witness that settles the question.
+        inside = coefficients.max() < -4.4 * tol * r
+        # One on which the distance varies less than matters (it follows the circle) is as good as one point of it.
+        level = inside or coefficients.max() - coefficients.min() < EMPTY / 2 * r
         if not level and high - low > 1e-6 and second.min() < 0.0 and top + 2 <= _MAX_STACK:
             left, right = halves(coefficients)
             middle = (low + high) / 2
@@ -272,12 +273,16 @@ def _minima_on_span(
         if t - low < 1e-12 or high - t < 1e-12:
             t = _span_minimum(tour, e, max(2 * low - high, 0.0), min(2 * high - low, 1.0), cx, cy)
         x, y, _, _, _, _ = evaluate(tour.control[e], degree, t)
-        known = False
+        # A negative coefficient is no proof that the curve itself comes near enough.
+        off = math.hypot(x - cx, y - cy) - r
+        known = off > tol
         for k in range(first, count):
             known = known or abs(place_t[k] - t) < 1e-7
         if not known and count < _MAX_FOUND:
-            element[count], place_t[count], depth[count] = e, t, math.hypot(x - cx, y - cy) - r
+            element[count], place_t[count], depth[count] = e, t, off
             count += 1
+        if inside:
+            break
     return count
 
 

@@ -78,14 +78,15 @@ class Contacts:
         Places (element, t) where the contact starts and ends; they differ for an arc.
     disc : (c,) array
         The disc that touches here.
-    piece : (c,) array
-        The piece of a branch whose boundary starts behind this contact.
+    piece, side : (c,) arrays
+        The piece of a branch whose boundary starts behind this contact, and which of its sides that is.
     """
 
     first: Floats
     last: Floats
     disc: Ints
     piece: Ints
+    side: Ints
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -1,0 +1,192 @@
+"""Points of the medial axis at equal steps along the boundary (paper, sections 3.2 to 3.4 and 4.5).
+
+Readings of the paper's unclear lines are cited by their number in ``docs/paper-readings.md``.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from mashape_cad.geometry.edge import Edge, EllipseArc, Floats, Line
+from mashape_cad.medial.branch import contact_before, discs_on_piece
+from mashape_cad.medial.graph import MedialAxis
+from mashape_cad.medial.tour import Ints, site
+
+__all__ = ["Stations", "stations"]
+
+# Table from which arc length is inverted: on a span cut in 32 parts linear interpolation is good to 1e-3 of a step.
+_TABLE = 32
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stations:
+    """Points of the medial axis, in the order of the boundary.
+
+    Attributes
+    ----------
+    radius : (n,) array
+        Of the maximal disc, mm.
+    foot_distance : (n,) array
+        Between the two footpoints, mm.
+    tangent : (n, 2) array
+        Unit tangent of the medial axis; NaN where there is none (convex vertices, arcs that touch as a whole).
+    run : (n,) array
+        Number of the run: consecutive stations with the same number lie on one branch.
+    """
+
+    radius: Floats
+    foot_distance: Floats
+    tangent: Floats
+    run: Ints
+
+
+def stations(axis: MedialAxis, per_edge: int) -> Stations:
+    """Return the maximal discs at the middle of equal arc-length steps on every edge of every loop (reading 1).
+
+    Parameters
+    ----------
+    axis : MedialAxis
+    per_edge : int
+        Number of steps on each edge: 100 is the paper's 0.01, 50 its 0.02 (reading 2).
+    """
+    element, t = _places(axis, per_edge)
+    element, t = _with_vertex_branches(axis, element, t, per_edge)
+    order = np.lexsort((t, element))
+    element, t = element[order], t[order]
+    contact, on_arc = contact_before(axis, element, t)
+    radius, distance = np.zeros(len(t)), np.zeros(len(t))
+    tangent = np.full((len(t), 2), np.nan)
+    radius[on_arc], distance[on_arc] = _arc_values(axis, contact[on_arc])
+    for number in np.unique(contact[~on_arc]):
+        rows = np.flatnonzero((contact == number) & ~on_arc)
+        piece, side = int(axis.contacts.piece[number]), int(axis.contacts.side[number])
+        radius[rows], distance[rows], tangent[rows] = _piece_values(axis, piece, side, t[rows])
+    run = np.where(on_arc, -1, _branch_of_piece(axis)[axis.contacts.piece[contact]])
+    corners = axis.discs.radius[axis.nodes.disc[axis.nodes.radius == 0.0]]
+    return Stations(
+        np.concatenate([radius, corners]),
+        np.concatenate([distance, corners]),
+        np.concatenate([tangent, np.full((len(corners), 2), np.nan)]),
+        np.concatenate([_runs(axis, run, element), -np.ones(len(corners), dtype=np.int64)]),
+    )
+
+
+def _places(axis: MedialAxis, per_edge: int) -> tuple[Ints, Floats]:
+    """Places of the stations on edges."""
+    tour = axis.tour
+    elements: list[Ints] = []
+    parameters: list[Floats] = []
+    for number, edge in enumerate(axis.profile.edges):
+        u = _equal_steps(edge, per_edge)
+        spans = np.flatnonzero((tour.edge == number) & (tour.degree > 0))
+        e = spans[np.clip(np.searchsorted(tour.edge_from[spans], u, side="right") - 1, 0, len(spans) - 1)]
+        fraction = (u - tour.edge_from[e]) / (tour.edge_to[e] - tour.edge_from[e])
+        elements.append(e)
+        parameters.append(_bezier_parameter(edge, fraction, tour.edge_to[e] - tour.edge_from[e]))
+    return np.concatenate(elements), np.concatenate(parameters)
+
+
+def _equal_steps(edge: Edge, count: int) -> Floats:
+    """Edge parameters at the middle of equal steps of arc length."""
+    middles = (np.arange(count) + 0.5) / count
+    if isinstance(edge, Line):
+        return middles
+    _, breaks = edge.spans()
+    u = np.unique(np.concatenate([np.linspace(a, b, _TABLE + 1) for a, b in zip(breaks, breaks[1:], strict=False)]))
+    # Simpson's rule on each interval of the table.
+    speed = np.linalg.norm(edge.derivatives(np.sort(np.concatenate([u, (u[1:] + u[:-1]) / 2])))[:, 1], axis=1)
+    steps = np.diff(u) * (speed[:-1:2] + 4 * speed[1::2] + speed[2::2]) / 6
+    length = np.concatenate([[0.0], np.cumsum(steps)])
+    return np.interp(middles * length[-1], length, u)
+
+
+def _bezier_parameter(edge: Edge, fraction: Floats, width: Floats) -> Floats:
+    """Parameter of a span's Bezier form at a fraction of its edge parameter: only arcs differ, where u is the angle."""
+    if not isinstance(edge, EllipseArc):
+        return fraction
+    quarter = edge.sweep * width / 4
+    ratio = np.tan((2 * fraction - 1) * quarter) / np.tan(quarter)
+    return (1 + ratio) / 2
+
+
+def _with_vertex_branches(axis: MedialAxis, element: Ints, t: Floats, per_edge: int) -> tuple[Ints, Floats]:
+    """Add stations on branches between two reflex vertices, which no station on an edge reaches (reading 10)."""
+    pieces, tour = axis.pieces, axis.tour
+    for branch in axis.branches:
+        numbers = [piece for piece, _ in branch.pieces]
+        if not all((tour.degree[pieces.element[number]] == 0).all() for number in numbers):
+            continue
+        widths = np.array([pieces.high[n, 0] - pieces.low[n, 0] for n in numbers])
+        counts = np.maximum(1, np.rint(per_edge * widths / widths.sum())).astype(int)
+        for number, count in zip(numbers, counts, strict=True):
+            middles = (np.arange(count) + 0.5) / count
+            element = np.append(element, np.full(count, pieces.element[number, 0]))
+            t = np.append(t, pieces.low[number, 0] + middles * (pieces.high[number, 0] - pieces.low[number, 0]))
+    return element, t
+
+
+def _branch_of_piece(axis: MedialAxis) -> Ints:
+    owner = np.full(len(axis.pieces.disc) + 1, -1, dtype=np.int64)  # the last one stands for no piece
+    for number, branch in enumerate(axis.branches):
+        owner[[piece for piece, _ in branch.pieces]] = number
+    return owner
+
+
+def _runs(axis: MedialAxis, branch: Ints, element: Ints) -> Ints:
+    """Number the stretches of consecutive stations on one branch and one loop."""
+    changed = np.ones(len(branch), dtype=bool)
+    loop = axis.tour.loop[element]
+    changed[1:] = (branch[1:] != branch[:-1]) | (loop[1:] != loop[:-1])
+    return np.where(branch < 0, -1, np.cumsum(changed) - 1)
+
+
+def _piece_values(axis: MedialAxis, piece: int, side: int, t: Floats) -> tuple[Floats, Floats, Floats]:
+    """Radius, distance of footpoints and tangent at places of a piece."""
+    pieces, tour, size = axis.pieces, axis.tour, axis.frame.size
+    e, f = int(pieces.element[piece, side]), int(pieces.element[piece, 1 - side])
+    t = np.clip(t, pieces.low[piece, side], pieces.high[piece, side])
+    rows = discs_on_piece(axis, piece, t, side)
+    here = np.array([site(tour, e, s)[:4] for s in t])
+    there = np.array([site(tour, f, s)[:4] for s in rows[:, 3]])
+    tangent = _tangent(here[:, 2:], there[:, 2:])
+    distance = np.hypot(*(here[:, :2] - there[:, :2]).T)
+    return rows[:, 2] * size, distance * size, tangent
+
+
+def _tangent(normal: Floats, other: Floats) -> Floats:
+    """Return the axis' unit tangent: the bisector of the boundary tangents at the two feet (reading 11).
+
+    Along the boundary T = (t1 - t2) / |t1 - t2|. Where the tangents agree, at an osculating end, it is the normal.
+    At a reflex vertex the tangent is perpendicular to the spoke, which is the normal of the disc there.
+    """
+    difference = normal - other
+    turned = np.column_stack([difference[:, 1], -difference[:, 0]])
+    length = np.hypot(turned[:, 0], turned[:, 1])
+    ended = length < 1e-9
+    turned[ended], length[ended] = normal[ended], 1.0
+    return turned / length[:, None]
+
+
+def _arc_values(axis: MedialAxis, contact: Ints) -> tuple[Floats, Floats]:
+    """Radius, and largest distance between two contacts, of discs that touch along an arc (reading 8)."""
+    radius = axis.discs.radius[axis.contacts.disc[contact]]
+    spread = {int(c): _spread(axis, int(axis.contacts.disc[c])) for c in np.unique(contact)}
+    return radius, np.array([spread[int(c)] for c in contact])
+
+
+def _spread(axis: MedialAxis, disc: int) -> float:
+    """Largest distance between two points at which a disc touches the boundary, arcs included."""
+    if not axis.branches:
+        return float(2 * axis.discs.radius[disc])  # the domain is one disc
+    mine = np.flatnonzero(axis.contacts.disc == disc)
+    centre = (axis.discs.centre[disc] - axis.frame.middle) / axis.frame.size
+    angles = []
+    for c in mine:
+        (e, t), (f, s) = axis.contacts.first[c], axis.contacts.last[c]
+        (ax, ay), (bx, by) = site(axis.tour, int(e), t)[:2], site(axis.tour, int(f), s)[:2]
+        start = np.arctan2(ay - centre[1], ax - centre[0])
+        turn = np.mod(np.arctan2(by - centre[1], bx - centre[0]) - start, 2 * np.pi)
+        angles.append(start + np.linspace(0.0, turn, 181))
+    points = np.concatenate(angles)
+    apart = np.abs(np.exp(1j * points)[:, None] - np.exp(1j * points)[None, :])
+    return float(apart.max() * axis.discs.radius[disc])
