@@ -9,6 +9,11 @@ from mashape_cad.geometry.profile import Profile
 
 __all__ = ["Part", "Unit"]
 
+# What the unit names of `ReadOptions` are worth.
+_MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8, "um": 1e-3}
+
+Decider = Literal["option", "insunits", "measurement", "file", "default"]
+
 
 @dataclass(frozen=True, slots=True)
 class Unit:
@@ -27,7 +32,12 @@ class Unit:
 
     name: str
     millimetres: float
-    decided_by: Literal["option", "insunits", "measurement", "file", "default"]
+    decided_by: Decider
+
+    @classmethod
+    def named(cls, name: str, decided_by: Decider) -> "Unit":
+        """Return a unit by one of the names that `ReadOptions.unit` allows."""
+        return cls(name, _MILLIMETRES[name], decided_by)
 
 
 @dataclass(frozen=True, slots=True)
