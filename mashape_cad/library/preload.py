@@ -9,4 +9,6 @@ from contextlib import suppress
 from mashape_cad.errors import KernelUnavailableError
 
 with suppress(KernelUnavailableError):
-    import mashape_cad.library.derivation  # noqa: F401
+    import mashape_cad.library.derivation
+    import mashape_cad.reading.dxf
+    import mashape_cad.reading.step  # noqa: F401
