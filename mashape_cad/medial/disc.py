@@ -256,12 +256,13 @@ def _minima_on_span(
         low, high = ends[top]
         if coefficients.min() > 0.0:
             continue
-        second = coefficients[2:] - 2 * coefficients[1:-1] + coefficients[:-2]
         # A stretch that runs inside the disc as a whole is a witness that settles the question.
         inside = coefficients.max() < -4.4 * tol * r
         # One on which the distance varies less than matters (it follows the circle) is as good as one point of it.
-        level = inside or coefficients.max() - coefficients.min() < EMPTY / 2 * r
-        if not level and high - low > 1e-6 and second.min() < 0.0 and top + 2 <= _MAX_STACK:
+        level = coefficients.max() - coefficients.min() < EMPTY / 2 * r
+        at_low, at_high, convex = _lowest(coefficients, low == 0.0, high == 1.0)
+        settled = inside or level or at_low >= 0 or convex
+        if not settled and high - low > 1e-6 and top + 2 <= _MAX_STACK:
             left, right = halves(coefficients)
             middle = (low + high) / 2
             stack[top], stack[top + 1] = right, left
@@ -269,9 +270,15 @@ def _minima_on_span(
             ends[top + 1] = low, middle
             top += 2
             continue
-        t = _span_minimum(tour, e, low, high, cx, cy)
+        if at_low == 0 and at_high == 0:
+            continue
+        if at_low > 0 or at_high > 0:
+            t = low if at_low > 0 else high
+        else:
+            t = _span_minimum(tour, e, low, high, cx, cy)
         if t - low < 1e-12 or high - t < 1e-12:
-            t = _span_minimum(tour, e, max(2 * low - high, 0.0), min(2 * high - low, 1.0), cx, cy)
+            width = high - low
+            t = _span_minimum(tour, e, max(t - width, 0.0), min(t + width, 1.0), cx, cy)
         x, y, _, _, _, _ = evaluate(tour.control[e], degree, t)
         # A negative coefficient is no proof that the curve itself comes near enough.
         off = math.hypot(x - cx, y - cy) - r
@@ -287,11 +294,50 @@ def _minima_on_span(
 
 
 @njit(cache=True)
+def _lowest(coefficients: Floats, is_first: bool, is_last: bool) -> tuple[int, int, bool]:
+    """Tell from a stretch's coefficients where it can have a local minimum.
+
+    Returns
+    -------
+    at_low, at_high : int
+        1 if at that end, 0 if surely not, both -1 if the stretch neither rises nor falls throughout. An end inside the
+        span is a minimum only if the slope vanishes there; otherwise the neighbouring stretch goes on falling.
+    convex : bool
+        Whether there is just one minimum.
+    """
+    steps = np.diff(coefficients)
+    noise = 1e-16
+    if steps.min() >= 0.0:
+        return (1 if is_first or steps[0] <= noise else 0), 0, False
+    if steps.max() <= 0.0:
+        return 0, (1 if is_last or steps[-1] >= -noise else 0), False
+    return -1, -1, bool(np.diff(steps).min() >= 0.0)
+
+
+@njit(cache=True)
 def same_place(tour: Tour, e: int, t: float, f: int, s: float, r: float) -> bool:
     """Whether two contacts of a disc of radius r are one and the same."""
     ax, ay, _, _, _, _ = site(tour, e, t)
     bx, by, _, _, _, _ = site(tour, f, s)
     return math.hypot(ax - bx, ay - by) <= max(_SAME_ABSOLUTE, _SAME_RELATIVE * r)
+
+
+@njit(cache=True)
+def _same_contact(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy: float, r: float) -> bool:
+    """Whether two places are one contact: they coincide, or the span between them stays on the circle."""
+    if same_place(tour, e, t, f, s, r):
+        return True
+    if e != f and tour.before[f] == e and s == 0.0:
+        f, s = e, 1.0
+    elif e != f and tour.before[e] == f and t == 0.0:
+        e, t = f, 1.0
+    if e != f or tour.degree[e] == 0:
+        return False
+    for k in range(1, 8):
+        x, y, _, _, _, _ = site(tour, e, t + (s - t) * k / 8)
+        if abs(math.hypot(x - cx, y - cy) - r) > TOUCH:
+            return False
+    return True
 
 
 @njit(cache=True)
@@ -411,9 +457,12 @@ def _with_contacts(
         twin_e, twin_t = _normal_form(tour, twin_e, twin_t)
         if not same_place(tour, twin_e, twin_t, e, t, r):
             out_e[0], out_t[0], count = twin_e, twin_t, 1
+    twins = count
     for k in range(found):
-        known = same_place(tour, element[k], place_t[k], e, t, r)
-        for i in range(count):
+        known = _same_contact(tour, element[k], place_t[k], e, t, cx, cy, r)
+        for i in range(twins):
+            known = known or _same_contact(tour, element[k], place_t[k], out_e[i], out_t[i], cx, cy, r)
+        for i in range(twins, count):
             known = known or same_place(tour, element[k], place_t[k], out_e[i], out_t[i], r)
         if not known:
             out_e[count], out_t[count] = element[k], place_t[k]
