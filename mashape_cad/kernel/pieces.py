@@ -1,0 +1,117 @@
+"""A boundary cut into pieces that the kernel can be asked about: `Piece`, `pieces_of`.
+
+Lines and arcs of at most 90 degrees stay what they are: the kernel has closed answers for them. Arcs of ellipses and
+B-splines become rational Bezier curves, because the kernel's search for extrema is much better on those: in 550,000
+trials of random points and spans it overlooked the nearest point 3 times, but 221 times on ranges of the B-spline.
+B-splines are cut by the kernel itself.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+from OCP.Extrema import Extrema_ExtPC2d, Extrema_LocateExtPC2d
+from OCP.Geom2d import Geom2d_BezierCurve
+from OCP.Geom2dAdaptor import Geom2dAdaptor_Curve
+from OCP.Geom2dConvert import Geom2dConvert_BSplineCurveToBezierCurve
+from OCP.gp import gp_Pnt2d
+from OCP.TColgp import TColgp_Array1OfPnt2d
+from OCP.TColStd import TColStd_Array1OfReal
+
+from mashape_cad.geometry.edge import Arc, BSpline, Edge, Floats, Line
+from mashape_cad.kernel.curves import Twin
+
+__all__ = ["SAMPLES", "Piece", "pieces_of"]
+
+# Points on a piece, ends included. More make the first bound of its distance tighter, at the cost of a larger tree.
+SAMPLES = 9
+# Of the kernel's parameter, its own default; a distance is off by about its square.
+_TOLERANCE = 1e-10
+
+
+class Piece:
+    """A piece of a boundary as the kernel's curve.
+
+    Attributes
+    ----------
+    control : (degree + 1, 3) array
+        Homogeneous control points (w x, w y, w) of the same curve as a rational Bezier curve.
+    is_bezier : bool
+        Whether the kernel's parameter is that of the Bezier curve; if not, the kernel's answers are closed forms.
+    samples : (SAMPLES, 2) array
+        Points of the kernel's curve, ends included.
+    """
+
+    __slots__ = ("_adaptor", "_extrema", "control", "is_bezier", "samples")
+
+    def __init__(self, adaptor: Geom2dAdaptor_Curve, control: Floats, *, is_bezier: bool) -> None:
+        first, last = adaptor.FirstParameter(), adaptor.LastParameter()
+        parameters = np.linspace(first, last, SAMPLES).tolist()
+        self.control = control
+        self.is_bezier = is_bezier
+        self.samples = np.array([(point.X(), point.Y()) for point in map(adaptor.Value, parameters)])
+        self._adaptor = adaptor  # the extrema only point to it
+        self._extrema = Extrema_ExtPC2d()
+        self._extrema.Initialize(adaptor, first, last, _TOLERANCE)
+
+    def nearest(self, place: gp_Pnt2d) -> tuple[float, float]:
+        """Return distance and parameter of the nearest stationary point that the kernel reports.
+
+        If there is none, the distance is infinite. At the centre of a circle all points are stationary, and the kernel
+        reports that as a failure.
+        """
+        extrema = self._extrema
+        extrema.Perform(place)
+        if not extrema.IsDone():
+            return float(np.hypot(*(self.samples[0] - (place.X(), place.Y())))), 0.0
+        count = extrema.NbExt()
+        if count == 0:
+            return np.inf, 0.5
+        square, index = min((extrema.SquareDistance(index), index) for index in range(1, count + 1))
+        return square**0.5, extrema.Point(index).Parameter()
+
+    def nearest_from(self, place: gp_Pnt2d, parameter: float) -> float:
+        """Return the distance of the point that a local search from a parameter leads to, at most that of its start."""
+        here = place.Distance(self._adaptor.Value(parameter))
+        search = Extrema_LocateExtPC2d(place, self._adaptor, parameter, _TOLERANCE)
+        return min(here, search.SquareDistance() ** 0.5) if search.IsDone() else here
+
+
+def pieces_of(edge: Edge) -> Iterator[Piece]:
+    """Cut an edge into pieces.
+
+    Raises
+    ------
+    ValueError
+        If the edge has no length.
+    """
+    twin = Twin.of(edge)
+    controls, breaks = edge.spans()
+    if isinstance(edge, Line | Arc):
+        for control, low, high in zip(controls, breaks[:-1], breaks[1:], strict=True):
+            yield Piece(twin.adaptor(low, high), control, is_bezier=False)
+        return
+    for curve in _bezier_curves(edge, twin, controls):
+        yield Piece(Geom2dAdaptor_Curve(curve), _control(curve), is_bezier=True)
+
+
+def _bezier_curves(edge: Edge, twin: Twin, controls: Floats) -> list[Geom2d_BezierCurve]:
+    if isinstance(edge, BSpline):
+        convert = Geom2dConvert_BSplineCurveToBezierCurve(twin.curve)
+        return [convert.Arc(index) for index in range(1, convert.NbArcs() + 1)]
+    return [_bezier_curve(control) for control in controls]
+
+
+def _bezier_curve(control: Floats) -> Geom2d_BezierCurve:
+    poles, weights = TColgp_Array1OfPnt2d(1, len(control)), TColStd_Array1OfReal(1, len(control))
+    for index, (x, y, w) in enumerate(control.tolist(), start=1):
+        poles.SetValue(index, gp_Pnt2d(x / w, y / w))
+        weights.SetValue(index, w)
+    return Geom2d_BezierCurve(poles, weights)
+
+
+def _control(curve: Geom2d_BezierCurve) -> Floats:
+    rows = []
+    for index in range(1, curve.NbPoles() + 1):
+        pole, weight = curve.Pole(index), curve.Weight(index)
+        rows.append((pole.X() * weight, pole.Y() * weight, weight))
+    return np.array(rows)

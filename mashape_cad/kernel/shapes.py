@@ -1,0 +1,190 @@
+"""Kernel shapes, opaque outside this package: out of files by `read_step` and `read_brep`, told by `is_shape`."""
+
+import os
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from OCP.BinTools import BinTools
+from OCP.BRep import BRep_Builder
+from OCP.BRepTools import BRepTools
+from OCP.IFSelect import IFSelect_ReturnStatus
+from OCP.Interface import Interface_Static
+from OCP.Message import Message, Message_PrinterOStream
+from OCP.Standard import Standard_Failure
+from OCP.STEPConstruct import STEPConstruct_UnitContext
+from OCP.STEPControl import STEPControl_Reader
+from OCP.TColStd import TColStd_SequenceOfAsciiString
+from OCP.TopAbs import TopAbs_ShapeEnum
+from OCP.TopExp import TopExp_Explorer
+from OCP.TopoDS import TopoDS_Compound, TopoDS_Shape
+
+__all__ = ["Shape", "ShapeError", "StepContent", "has_faces", "is_shape", "read_brep", "read_step", "together"]
+
+Shape = Any  # a kernel shape; nobody outside this package looks into it
+
+
+class ShapeError(ValueError):
+    """The kernel could not make a shape of a file; the message says why, without the file's name."""
+
+
+@dataclass(frozen=True, slots=True)
+class StepContent:
+    """What a STEP file holds.
+
+    Attributes
+    ----------
+    shape : Shape or None
+        In mm; None if the file describes no shape.
+    units : tuple of (str, float)
+        The length units that the file states, each once: the name, and its length in mm.
+    """
+
+    shape: Shape | None
+    units: tuple[tuple[str, float], ...]
+
+
+def read_step(path: Path) -> StepContent:
+    """Read a STEP file, converted to mm, all parts of an assembly in their places.
+
+    Raises
+    ------
+    ShapeError
+        If it is no STEP file, or one with damaged geometry.
+    """
+    with _quiet():
+        try:
+            return _step_content(path)
+        except Standard_Failure as error:
+            raise ShapeError(f"the kernel fails on it: {_reason(error)}") from error
+
+
+def read_brep(path: Path) -> Shape | None:
+    """Read a shape in the kernel's own format, text or binary; None if it is the null shape.
+
+    Raises
+    ------
+    ShapeError
+        If it is no such file, or a damaged one.
+    """
+    shape = TopoDS_Shape()
+    with _quiet():
+        try:
+            is_text = path.read_bytes()[:100].lstrip().startswith((b"DBRep", b"CASCADE"))
+            done = BRepTools.Read_s(shape, str(path), BRep_Builder()) if is_text else BinTools.Read_s(shape, str(path))
+        except Standard_Failure as error:
+            raise ShapeError(f"the kernel fails on it: {_reason(error)}") from error
+    if not done:
+        raise ShapeError("it is cut off or damaged")
+    return None if shape.IsNull() else shape
+
+
+def is_shape(thing: object) -> bool:
+    """Whether something is a kernel shape that holds anything."""
+    return isinstance(thing, TopoDS_Shape) and not thing.IsNull()
+
+
+def has_faces(shape: Shape) -> bool:
+    """Whether a shape has any face, flat or curved."""
+    return bool(TopExp_Explorer(shape, TopAbs_ShapeEnum.TopAbs_FACE).More())
+
+
+def together(shapes: Sequence[Shape]) -> Shape:
+    """Return one shape that holds others, in their order."""
+    compound, builder = TopoDS_Compound(), BRep_Builder()
+    builder.MakeCompound(compound)
+    for shape in shapes:
+        builder.Add(compound, shape)
+    return compound
+
+
+def _step_content(path: Path) -> StepContent:
+    reader = STEPControl_Reader()
+    Interface_Static.SetCVal_s("xstep.cascade.unit", "MM")  # another user of the kernel may have changed it
+    if reader.ReadFile(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
+        raise ShapeError("its text breaks the rules of STEP files, or ends too early")
+    damaged = _damaged_entities(reader)
+    if damaged:
+        raise ShapeError(f"entities are missing or refer to the wrong ones, first noticed in {damaged[0]}")
+    reader.TransferRoots()
+    shape = reader.OneShape()
+    return StepContent(None if shape.IsNull() else shape, _units(reader))
+
+
+def _damaged_entities(reader: STEPControl_Reader) -> list[str]:
+    """Return the types of the geometric entities that refer to something that is missing or of a wrong kind.
+
+    Other complaints, and those on texts, colours and representations, are common in good files.
+    """
+    model, checks = reader.StepModel(), reader.WS().ModelCheckList(False)  # noqa: FBT003  (everything)
+    damaged = []
+    checks.Start()
+    while checks.More():
+        check, number = checks.Value(), checks.Number()
+        kind = model.Value(number).DynamicType().Name() if number else ""
+        is_geometry = kind.startswith(("StepGeom_", "StepShape_")) and not kind.endswith("Representation")
+        fails = [check.CFail(index, False) for index in range(1, check.NbFails() + 1)]  # noqa: FBT003  (untranslated)
+        if is_geometry and any("illegal type" in fail for fail in fails):
+            damaged.append(kind.partition("_")[2])
+        checks.Next()
+    return damaged
+
+
+def _units(reader: STEPControl_Reader) -> tuple[tuple[str, float], ...]:
+    lengths, angles, solid_angles = (TColStd_SequenceOfAsciiString() for _ in range(3))
+    reader.FileUnits(lengths, angles, solid_angles)
+    names = [lengths.Value(index).ToCString().lower() for index in range(1, lengths.Length() + 1)]
+    factors = list(dict.fromkeys(_length_factors(reader)))
+    # The kernel gives each unit once, in the order of the file, by name here and by length there.
+    return tuple(zip(names, factors, strict=False)) or tuple(("mm", factor) for factor in factors)
+
+
+def _length_factors(reader: STEPControl_Reader) -> Iterator[float]:
+    """Yield the length in mm of the unit of each context in which the file gives lengths."""
+    model = reader.StepModel()
+    for number in range(1, model.NbEntities() + 1):
+        entity = model.Value(number)
+        if hasattr(entity, "GlobalUnitAssignedContext"):
+            units = STEPConstruct_UnitContext()
+            units.ComputeFactors(entity.GlobalUnitAssignedContext())
+            if units.LengthDone():
+                yield float(units.LengthFactor())
+
+
+def _reason(error: Standard_Failure) -> str:
+    return " ".join(str(error).split()) or type(error).__name__
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Keep the kernel from writing to the terminal: its messengers, and what it writes to file descriptor 1."""
+    messenger = Message.DefaultMessenger_s()
+    printers = [printer for printer in messenger.Printers() if isinstance(printer, Message_PrinterOStream)]
+    for printer in printers:
+        messenger.RemovePrinter(printer)
+    try:
+        with _without_descriptor(1):
+            yield
+    finally:
+        for printer in printers:
+            messenger.AddPrinter(printer)
+
+
+@contextmanager
+def _without_descriptor(descriptor: int) -> Iterator[None]:
+    try:
+        kept = os.dup(descriptor)
+    except OSError:  # closed: nothing to keep quiet
+        yield
+        return
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(nowhere, descriptor)
+        yield
+    finally:
+        with suppress(OSError):
+            os.dup2(kept, descriptor)
+        os.close(kept)
+        os.close(nowhere)
