@@ -77,11 +77,11 @@ class Library:
         self.parts = tuple(
             (path, sidecar)
             for path, sidecar in sorted(known.items(), key=lambda item: item[0].as_posix())
-            if any(record.vectors for record in sidecar.profiles)
+            if any(_comparable(sidecar))
         )
         self._check_there_is_something(len(read), len(known))
         self.options = self._common_options()
-        self._part, self._profile, self._stack = self._stacked()
+        self._rows = _Rows.of(self.parts)
 
     def search(self, query: Any, k: int = 10, *, profile: int | None = None) -> list[Match]:
         """Return the parts that resemble a query most, the nearest first.
@@ -98,8 +98,9 @@ class Library:
         Returns
         -------
         list of Match
-            One for each part, by its nearest profile. The query's own file takes part: it comes first, at distance 0.
-            Equal distances are ordered by name, the query's own file before all others.
+            One for each part: a drawing by the nearest of its profiles, a solid by its first face (all plates have
+            similar sides). The query's own file takes part, with the very profile that was asked with, and comes first,
+            at distance 0. Equal distances are ordered by name, the query's own file before all others.
 
         Raises
         ------
@@ -111,9 +112,9 @@ class Library:
         if k < 1:
             raise ValueError(f"k must be at least 1, not {k}")
         asked = self.query(query, profile)
-        distances = self._stack.distances(asked.record.vectors or {})
+        distances = self._rows.stack.distances(asked.record.vectors or {})
         order = self._order(asked, distances)
-        _, first = np.unique(self._part[order], return_index=True)
+        _, first = np.unique(self._rows.part[order], return_index=True)
         best = order[np.sort(first)][:k]
         return [self._match(rank, int(row), float(distances[row])) for rank, row in enumerate(best, start=1)]
 
@@ -188,21 +189,14 @@ class Library:
     def _scan_command(self) -> str:
         return shlex.join(["mashape-cad", "scan", *map(str, self.folders)])
 
-    def _stacked(self) -> tuple[NDArray[np.intp], NDArray[np.intp], Stack]:
-        rows = [
-            (part, profile, record.vectors)
-            for part, (_, sidecar) in enumerate(self.parts)
-            for profile, record in enumerate(sidecar.profiles)
-            if record.vectors
-        ]
-        parts, profiles, vectors = zip(*rows, strict=True)
-        return np.array(parts), np.array(profiles), Stack.of(vectors)
-
     def _order(self, asked: Query, distances: Floats) -> NDArray[np.intp]:
         """Return the rows, nearest first; of equal ones the query's own file first, then by name, then by number."""
-        is_foreign = self._part != self._own_part(asked.path)
-        is_other = is_foreign | (self._profile != asked.profile)
-        return np.lexsort((self._profile, is_other, self._part, is_foreign, distances))
+        rows = self._rows
+        is_foreign = rows.part != self._own_part(asked.path)
+        is_asked = ~is_foreign & (rows.profile == asked.profile)
+        taking_part = np.flatnonzero(rows.stands_for_part | is_asked)
+        keys = (rows.profile, ~is_asked, rows.part, is_foreign, distances)  # the last one counts most
+        return taking_part[np.lexsort([key[taking_part] for key in keys])]
 
     def _own_part(self, path: Path | None) -> int:
         """Return which part is the query's own file, -1 if none."""
@@ -212,9 +206,34 @@ class Library:
         return -1
 
     def _match(self, rank: int, row: int, distance: float) -> Match:
-        path, sidecar = self.parts[self._part[row]]
-        profile = int(self._profile[row])
+        path, sidecar = self.parts[self._rows.part[row]]
+        profile = int(self._rows.profile[row])
         return Match(rank, path, profile, distance, sidecar.profiles[profile])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Rows:
+    """All comparable profiles of a library, a row each: whose they are, and whether they stand for their part."""
+
+    part: NDArray[np.intp]
+    profile: NDArray[np.intp]
+    stands_for_part: NDArray[np.bool_]
+    stack: Stack
+
+    @classmethod
+    def of(cls, parts: tuple[tuple[Path, Sidecar], ...]) -> "_Rows":
+        rows = [
+            (part, number, position == 0 or record.origin.face is None, record.vectors)
+            for part, (_, sidecar) in enumerate(parts)
+            for position, (number, record) in enumerate(_comparable(sidecar))
+        ]
+        part, profile, stands_for_part, vectors = zip(*rows, strict=True)
+        is_main = np.array(stands_for_part)
+        return cls(np.array(part), np.array(profile), is_main, Stack.of(vectors, is_main))
+
+
+def _comparable(sidecar: Sidecar) -> Iterator[tuple[int, ProfileRecord]]:
+    return ((number, record) for number, record in enumerate(sidecar.profiles) if record.vectors)
 
 
 def _sidecars(folders: tuple[Path, ...]) -> Iterator[tuple[Path, Sidecar | None]]:

@@ -29,18 +29,21 @@ class Stack:
     vectors : mapping of str to (n, d) arrays
         One row for each profile.
     scales : mapping of str to float
-        Median distance of two profiles, by vector.
+        Median distance of two of the profiles that count, by vector.
     """
 
     vectors: Mapping[str, Floats]
     scales: Mapping[str, float]
 
     @classmethod
-    def of(cls, signatures: Sequence[Mapping[str, Sequence[float]]]) -> "Stack":
-        """Stack signatures; all have the same vectors."""
+    def of(
+        cls, signatures: Sequence[Mapping[str, Sequence[float]]], counts: NDArray[np.bool_] | None = None
+    ) -> "Stack":
+        """Stack signatures with the same vectors; the medians are taken over those that `counts` names, else all."""
         names = list(signatures[0]) if signatures else []
         vectors = {name: np.array([each[name] for each in signatures], dtype=np.float64) for name in names}
-        return cls(vectors, {name: _median_distance(rows) for name, rows in vectors.items()})
+        chosen = slice(None) if counts is None else counts
+        return cls(vectors, {name: _median_distance(rows[chosen]) for name, rows in vectors.items()})
 
     def distances(self, signature: Mapping[str, Sequence[float]]) -> Floats:
         """Return the distance of one signature to each of the stack, (n,); exactly 0 to an equal one."""

@@ -2,6 +2,7 @@
 
 import os
 import sys
+from dataclasses import replace
 
 import pytest
 import stand_ins
@@ -11,7 +12,7 @@ from mashape_cad.errors import LibraryError, NoProfileError, QueryError, Unreada
 from mashape_cad.library import library as module
 from mashape_cad.library.freshness import source_of
 from mashape_cad.library.library import Library
-from mashape_cad.library.record import Failure, Sidecar
+from mashape_cad.library.record import Failure, OriginRecord, Sidecar
 from mashape_cad.library.sidecar import sidecar_path, write_sidecar
 from mashape_cad.options import PartOptions, ReadOptions
 
@@ -61,11 +62,41 @@ def test_equal_distances_put_the_query_first_then_names(folder):
 
 
 def test_one_match_for_each_file_by_its_nearest_profile(folder):
-    """A part with many faces does not fill the list."""
-    put_part(folder / "many.step", profile_record(20), profile_record(0, 1, 2, 3), profile_record(0, 1, 2, 4))
+    """A sheet with many parts does not fill the list."""
+    put_part(folder / "many.dxf", profile_record(20), profile_record(0, 1, 2, 3), profile_record(0, 1, 2, 4))
     matches = Library(folder).search(folder / "b.dxf")
-    assert sorted(_names(matches)) == ["a.dxf", "b.dxf", "c.step", "d.dxf", "many.step"]
-    assert next(match.profile for match in matches if match.path.name == "many.step") == 2
+    assert sorted(_names(matches)) == ["a.dxf", "b.dxf", "c.step", "d.dxf", "many.dxf"]
+    assert next(match.profile for match in matches if match.path.name == "many.dxf") == 2
+
+
+def _as_faces(*records):
+    return [replace(record, origin=OriginRecord(face=number)) for number, record in enumerate(records, start=1)]
+
+
+def test_a_solid_is_compared_by_its_first_face(folder):
+    """Its sides resemble those of all other plates."""
+    put_part(folder / "plate.step", *_as_faces(profile_record(20), profile_record(0, 1, 2, 3)))
+    put_part(folder / "other.step", *_as_faces(profile_record(refused=REFUSED), profile_record(0, 1, 2, 3)))
+    found = {match.path.name: match for match in Library(folder).search(folder / "a.dxf")}
+    assert (found["other.step"].profile, found["other.step"].distance) == (1, 0.0)
+    assert found["plate.step"].profile == 0
+    assert found["plate.step"].distance > 1
+
+
+def test_any_face_of_a_solid_can_be_the_query(folder):
+    """It finds its own file by that face."""
+    plate = put_part(folder / "plate.step", *_as_faces(profile_record(20), profile_record(0, 1, 2, 9)))
+    [first, second, *_] = Library(folder).search(plate, profile=1)
+    assert (first.path, first.profile, first.distance) == (plate, 1, 0.0)
+    assert second.path.name == "a.dxf"
+
+
+def test_faces_that_take_no_part_do_not_shape_the_distances(folder):
+    """The medians are over the profiles that are compared."""
+    before = Library(folder).search(folder / "a.dxf")[1].distance
+    part = folder / "sub" / "c.step"
+    put_part(part, *_as_faces(profile_record(0, 1, 5, 6), *[profile_record(0)] * 20))
+    assert Library(folder).search(folder / "a.dxf")[1].distance == before
 
 
 def test_the_queries_own_profile_stands_for_its_file(folder):
