@@ -42,7 +42,7 @@ class Twin:
                 return _line(edge)
             case Arc():
                 # A radius and not two semi-axes: the kernel knows closed answers for circles.
-                curve = Geom2d_Circle(_axes(edge.centre, edge.axis_a, edge.axis_b), _positive(edge.radius))
+                curve = Geom2d_Circle(_axes(edge.centre, edge.axis_a, edge.axis_b), edge.radius)
                 return cls(curve, edge.start_angle, edge.sweep)
             case EllipseArc():
                 return _ellipse(edge)
@@ -112,12 +112,6 @@ class KernelCurve:
             return cross / np.hypot(first[:, 0], first[:, 1]) ** 3
 
 
-def _positive(length: float) -> float:
-    if not length > 0:
-        raise ValueError("an edge without length has no kernel curve")
-    return float(length)
-
-
 def _point(xy: ArrayLike) -> gp_Pnt2d:
     x, y = np.asarray(xy, float).tolist()
     return gp_Pnt2d(x, y)
@@ -125,6 +119,8 @@ def _point(xy: ArrayLike) -> gp_Pnt2d:
 
 def _direction(xy: ArrayLike) -> gp_Dir2d:
     x, y = np.asarray(xy, float).tolist()
+    if x == y == 0:
+        raise ValueError("an edge without length has no kernel curve")
     return gp_Dir2d(x, y)
 
 
@@ -134,8 +130,7 @@ def _axes(centre: ArrayLike, axis_a: ArrayLike, axis_b: ArrayLike) -> gp_Ax22d:
 
 def _line(edge: Line) -> Twin:
     chord = edge.last - edge.first
-    length = _positive(float(np.hypot(*chord)))
-    return Twin(Geom2d_Line(_point(edge.first), _direction(chord)), 0.0, length)
+    return Twin(Geom2d_Line(_point(edge.first), _direction(chord)), 0.0, float(np.hypot(*chord)))
 
 
 def _ellipse(edge: EllipseArc) -> Twin:
@@ -143,7 +138,7 @@ def _ellipse(edge: EllipseArc) -> Twin:
     axis_a, axis_b, first = edge.axis_a, edge.axis_b, edge.start_angle
     if np.hypot(*axis_a) < np.hypot(*axis_b):
         axis_a, axis_b, first = axis_b, -axis_a, first - np.pi / 2
-    major, minor = float(np.hypot(*axis_a)), _positive(float(np.hypot(*axis_b)))
+    major, minor = float(np.hypot(*axis_a)), float(np.hypot(*axis_b))
     return Twin(Geom2d_Ellipse(_axes(edge.centre, axis_a, axis_b), major, minor), first, edge.sweep)
 
 
