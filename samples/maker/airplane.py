@@ -30,7 +30,7 @@ class Engine:
 
 
 def airplanes() -> dict[str, Profile]:
-    """Return an airliner, a four-engined jet, a light aircraft and a jet fighter."""
+    """Return an airliner, a four-engined jet, a propeller aircraft and a jet fighter."""
     return {
         "airplane-1": airplane(
             nose=22, width=7.5, length=160, wing=Surface(-55, 34, 76, 44, 9, 1.5), tail=Surface(-132, 17, 29, 17, 6),
@@ -41,10 +41,11 @@ def airplanes() -> dict[str, Profile]:
             engines=(Engine(30, 9.5, 13), Engine(58, 8.5, 11)),
         ),
         "airplane-3": airplane(
-            nose=14, width=7.5, length=104, wing=Surface(-26, 23, 74, 4, 16, 1), tail=Surface(-86, 13, 25, 4, 8, 0.5)
+            nose=22, width=7.5, length=132, wing=Surface(-40, 34, 80, 20, 9, 1.5),
+            tail=Surface(-107, 17, 31, 11, 6, 0.5), engines=(Engine(25, 9, 13),),
         ),
         "airplane-4": airplane(
-            nose=34, width=7.5, length=136, wing=Surface(-50, 44, 50, 40, 12), tail=Surface(-106, 20, 25, 17, 9)
+            nose=34, width=7.5, length=140, wing=Surface(-50, 40, 52, 40, 9, 1), tail=Surface(-112, 17, 27, 16, 6)
         ),
     }  # fmt: skip
 
@@ -54,7 +55,7 @@ def airplane(
 ) -> Profile:
     """Draw an airplane; `nose` is how long the nose is, `width` half of the fuselage's."""
     pen = Pen(0, 0).curve((0.62 * width, -0.25 * nose), (width, -nose), leave=0, arrive=-90)
-    pen.line(width, wing.root, rounded=3)
+    pen.curve((1.06 * width, (wing.root - nose) / 2), (width, wing.root), leave=-90, rounded=3)
     _surface(pen, wing, width, engines)
     stern = 0.55 * width
     slim = (width + stern) / 2 + 0.1 * width

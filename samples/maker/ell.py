@@ -7,12 +7,12 @@ __all__ = ["ells"]
 
 
 def ells() -> dict[str, Profile]:
-    """Return ells of unlike legs, some bulged, some waisted."""
+    """Return ells of unlike legs with bulged sides."""
     return {
-        "ell-1": ell(80, 120, 26, 26, 2),
-        "ell-2": ell(130, 90, 22, 34, -2),
-        "ell-3": ell(60, 150, 20, 18, 1.5),
-        "ell-4": ell(110, 110, 44, 40, 3),
+        "ell-1": ell(104, 112, 36, 30, 4),
+        "ell-2": ell(120, 100, 34, 26, 4),
+        "ell-3": ell(64, 150, 21, 33, 4),
+        "ell-4": ell(108, 90, 35, 20, 4),
     }
 
 

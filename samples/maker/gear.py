@@ -1,4 +1,4 @@
-"""Gears: involute or freely rounded teeth, bores and openings of several kinds."""
+"""Gears with involute teeth; bores and openings of several kinds."""
 
 from math import asin, cos, pi, radians, sin, tan
 
@@ -13,10 +13,10 @@ __all__ = ["gears"]
 def gears() -> dict[str, Profile]:
     """Return four gears with unlike teeth and holes."""
     return {
-        "gear-1": Profile.of(involute(16, 5), [keyed_bore(12, 5)]),
-        "gear-2": Profile.of(involute(12, 7), [circle(0, 0, 7), *around(6, circle(20, 0, 5))]),
+        "gear-1": Profile.of(involute(16, 5), [keyed_bore(17, 6)]),
+        "gear-2": Profile.of(involute(12, 7), [circle(0, 0, 8), *around(3, circle(20, 0, 5))]),
         "gear-3": Profile.of(involute(20, 5), [hexagon(8), *around(4, kidney(17, 36, 62))]),
-        "gear-4": Profile.of(sprocket(14, 45, 4.5), [lobed_bore(6, 12, 1.5), *around(3, circle(28, 0, 6))]),
+        "gear-4": Profile.of(involute(14, 6.5), [lobed_bore(6, 18, 2)]),
     }
 
 
@@ -43,14 +43,6 @@ def involute(teeth: int, module: float) -> Loop:
     return pen.close()
 
 
-def sprocket(teeth: int, radius: float, depth: float) -> Loop:
-    """Draw a wheel with round teeth, one closed B-spline."""
-    count = 12 * teeth
-    around_it = 2 * pi * np.arange(count) / count
-    wave = np.tanh(1.2 * np.cos(teeth * around_it)) / np.tanh(1.2)
-    return closed_curve(*[_polar(radius + depth * w, a) for w, a in zip(wave, around_it, strict=True)])
-
-
 def keyed_bore(radius: float, key: float) -> Loop:
     """Draw a round bore with a keyway of width `key`."""
     half = asin(key / 2 / radius)
@@ -61,8 +53,10 @@ def keyed_bore(radius: float, key: float) -> Loop:
 
 
 def lobed_bore(lobes: int, radius: float, depth: float) -> Loop:
-    """Draw a bore with round splines."""
-    return moved(sprocket(lobes, radius, depth), 0, 0, 90)
+    """Draw a bore whose outline swings by `depth` in and out: one closed B-spline."""
+    around_it = pi / 2 + 2 * pi * np.arange(12 * lobes) / (12 * lobes)
+    wave = np.tanh(1.2 * np.cos(lobes * (around_it - pi / 2))) / np.tanh(1.2)
+    return closed_curve(*[_polar(radius + depth * w, a) for w, a in zip(wave, around_it, strict=True)])
 
 
 def hexagon(radius: float) -> Loop:
