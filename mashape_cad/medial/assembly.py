@@ -49,9 +49,9 @@ def foot(profile: Profile, tour: Tour, place: Place) -> tuple[int, float]:
     e, t = place
     start, end = float(tour.edge_from[e]), float(tour.edge_to[e])
     edge = profile.edges[int(tour.edge[e])]
-    if isinstance(edge, EllipseArc) and 0.0 < t < 1.0:
+    if tour.degree[e] > 0 and isinstance(edge, EllipseArc) and 0.0 < t < 1.0:
         t = _angle_fraction(t, (end - start) * edge.sweep)
-    return int(tour.edge[e]), start + t * (end - start)
+    return int(tour.edge[e]), start + t * (end - start)  # a cone lies at the start of its edge
 
 
 def _angle_fraction(t: float, angle: float) -> float:

@@ -8,6 +8,7 @@ stations.
 
 import math
 from collections import deque
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from mashape_cad.medial.ends import Place, SettledDisc, ends
 from mashape_cad.medial.faces import Face, Faces
 from mashape_cad.medial.junction import junction_disc
 from mashape_cad.medial.links import links
-from mashape_cad.medial.tour import Tour
+from mashape_cad.medial.tour import Ints, Tour, site
 
 __all__ = ["cut"]
 
@@ -164,7 +165,7 @@ def _attached(faces: Faces, number: int, face: Face, at: list[tuple[int, Place]]
     return parts
 
 
-def _junctions(tour: Tour, faces: Faces, face: Face):  # type: ignore[no-untyped-def]
+def _junctions(tour: Tour, faces: Faces, face: Face) -> Iterator[tuple[SettledDisc, list[tuple[int, Place]]]]:
     """Yield true junctions of a face: (disc, contacts), from its triples of consecutive gaps."""
     stretches = [faces.stretch(gap) for gap in face]
     n = len(face)
@@ -205,8 +206,11 @@ def _newton(
     stretches = [s for k in triple if (s := faces.stretch(face[k])) is not None]
     element = np.array([s[0] for s in stretches], dtype=np.int64)
     low, high = np.array([s[1] for s in stretches]), np.array([s[2] for s in stretches])
-    found, x, y, r, t = junction_disc(tour, element, low, high, (low + high) / 2)
-    if not found:
+    for start in _starts(tour, faces, face, element, low, high):
+        found, x, y, r, t = junction_disc(tour, element, low, high, start)
+        if found:
+            break
+    else:
         return None, []
     margin = np.minimum(1e-12, (high - low) / 4)
     t = np.clip(t, low + margin, high - margin)
@@ -216,6 +220,26 @@ def _newton(
     ):
         return None, []
     return SettledDisc(x, y, r, (), "junction"), list(zip(triple, feet, strict=True))
+
+
+def _starts(tour: Tour, faces: Faces, face: Face, element: Ints, low: Floats, high: Floats) -> Iterator[Floats]:
+    """First guesses for the feet of a junction on three consecutive gaps.
+
+    At a vertex that turns by a small angle the feet lie near it, at r times half the angle. (Where curvature jumps too
+    there is a second, false root farther away, which the middle of the gaps would find.)
+    """
+    middle = (low + high) / 2
+    r = float(np.mean([disc.r for disc in _corner_discs(faces, face) if disc.r > 0.0] or [0.0]))
+    for i, j in ((0, 1), (1, 2)):
+        if not (tour.convex[element[j]] and tour.after[element[i]] == element[j] and (high[i], low[j]) == (1.0, 0.0)):
+            continue
+        _, _, ax, ay, _, speed = site(tour, int(element[i]), 1.0)
+        _, _, bx, by, _, next_speed = site(tour, int(element[j]), 0.0)
+        half = r * math.atan2(ax * by - ay * bx, ax * bx + ay * by) / 2
+        start = middle.copy()
+        start[i], start[j] = max(middle[i], 1.0 - half / speed), min(middle[j], half / next_speed)
+        yield start
+    yield middle
 
 
 def _kink_between(tour: Tour, a: Place, b: Place) -> bool:

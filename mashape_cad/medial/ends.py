@@ -29,6 +29,9 @@ Place = tuple[int, float]
 Contact = tuple[Place, Place]  # first and last place; equal but for a disc that touches along an arc
 
 _FULL_LOOP: Place = (-1, 0.0)
+# Radii and centres of arcs are rounded in files: an arc that fills a slot's end misses the slot's other wall by up to
+# this (sizes), and still touches it. What it misses by is recorded as the disc's tolerance.
+_ARC = 1e-8
 # Coefficients this small against the largest one are rounding of products of up to eight factors.
 _NOISE = 1e-11
 
@@ -124,21 +127,22 @@ def _continues(tour: Tour, before: int, e: int) -> bool:
 def _arc_disc(tour: Tour, run: list[int]) -> SettledDisc | None:
     """Return the disc that fills a run of arcs, if it is empty."""
     (x, y), r = tour.round_centre[run].mean(axis=0), float(tour.round_radius[run].mean())
-    tol = max(EMPTY, float(_off_circle(tour, run, x, y, r)))
-    deepest, count, element, t = touching(tour, x, y, r, max(TOUCH, tol), run[0])
-    if deepest < -2 * tol - EMPTY:
+    deepest = touching(tour, x, y, r, _ARC, run[0])[0]
+    if deepest < -_ARC:
         return None
+    tol = max(TOUCH, float(_off_circle(tour, run, x, y, r)), -deepest)
+    _, count, element, t = touching(tour, x, y, r, 2 * tol, run[0])
     if tour.after[run[-1]] == run[0]:
         # An arc all round: the domain's outer loop, or (never empty) the outside of a hole.
-        return SettledDisc(x, y, r, ((_FULL_LOOP, _FULL_LOOP),), "arc", max(TOUCH, tol))
+        return SettledDisc(x, y, r, ((_FULL_LOOP, _FULL_LOOP),), "arc", tol)
     first, last = (run[0], 0.0), (int(tour.after[run[-1]]), 0.0)
-    clear = max(np.sqrt(16 * r * max(tol, TOUCH)), 3e-6 * r)
+    clear = max(np.sqrt(16 * r * tol), 3e-6 * r)
     others = [
         ((int(element[k]), float(t[k])),) * 2
         for k in range(count)
         if not any(_apart(tour, (element[k], t[k]), place) <= clear for place in (first, last))
     ]
-    return SettledDisc(x, y, r, ((first, last), *others), "arc", max(TOUCH, tol))
+    return SettledDisc(x, y, r, ((first, last), *others), "arc", tol)
 
 
 def _off_circle(tour: Tour, run: list[int], x: float, y: float, r: float) -> float:
@@ -176,7 +180,9 @@ def _repeats(tour: Tour, disc: SettledDisc, settled: list[SettledDisc]) -> bool:
     for other in settled:
         if _same_disc(disc, other, 3e-11):
             return True
-        if other.kind == "osculating" and _apart(tour, place, other.contacts[0][0]) <= 1e-6 * disc.r:
+        # Not the place alone: the curves on both sides of a reflex vertex may each have an end there.
+        near = _apart(tour, place, other.contacts[0][0]) <= 1e-6 * disc.r
+        if other.kind == "osculating" and near and _same_disc(disc, other, 1e-5 * disc.r):
             return True
     return False
 
