@@ -13,6 +13,7 @@ side
 """
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,6 +29,7 @@ from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 from OCP.TopTools import TopTools_IndexedMapOfShape
 
 from mashape_cad.geometry.edge import Floats
+from mashape_cad.kernel.failures import ShapeError, kernel_failures_told
 from mashape_cad.kernel.frames import coordinates
 
 __all__ = ["side_faces"]
@@ -77,7 +79,8 @@ def side_faces(shape: TopoDS_Shape, faces: TopTools_IndexedMapOfShape) -> frozen
     """
     sides = set[int]()
     for body in _bodies(shape):
-        sides.update(_sides(_measured(body, faces)))
+        with suppress(ShapeError), kernel_failures_told():  # a body that cannot be looked at has no sides
+            sides.update(_sides(_measured(body, faces)))
     return frozenset(sides)
 
 

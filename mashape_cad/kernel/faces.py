@@ -14,7 +14,6 @@ from OCP.BRepTools import BRepTools_WireExplorer
 from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.GeomLib import GeomLib_IsPlanarSurface
 from OCP.gp import gp_Pln, gp_Pnt, gp_Vec
-from OCP.Standard import Standard_Failure
 from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
 from OCP.TopExp import TopExp, TopExp_Explorer
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape, TopoDS_Wire
@@ -23,6 +22,7 @@ from OCP.TopTools import TopTools_IndexedMapOfShape
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.geometry.profile import Plane
 from mashape_cad.kernel.bodies import side_faces
+from mashape_cad.kernel.failures import kernel_failures_told
 from mashape_cad.kernel.flattening import FlatEdge, flat_edge
 from mashape_cad.kernel.frames import Frame, coordinates
 
@@ -120,9 +120,10 @@ def planar_faces(shape: TopoDS_Shape) -> PlanarFaces:
     found, broken, curved = [], [], []
     for number in range(1, faces.Extent() + 1):
         try:
-            face = _planar_face(TopoDS.Face_s(faces.FindKey(number)), number)
-        except (Standard_Failure, ValueError, ArithmeticError) as error:
-            broken.append(BrokenFace(number, " ".join(str(error).split()) or type(error).__name__))
+            with kernel_failures_told():
+                face = _planar_face(TopoDS.Face_s(faces.FindKey(number)), number)
+        except (ValueError, ArithmeticError) as error:
+            broken.append(BrokenFace(number, str(error)))
             continue
         if face is None:
             curved.append(number)

@@ -1,8 +1,8 @@
 """The kernel's edges on a plane as exact `Edge`: `FlatEdge`, `flat_edge`.
 
 Lines, circles, ellipses and B-splines keep their kind; Bezier curves, parabolas and hyperbolas become the rational
-B-splines that they are. What has no such form (offset curves, curves given only on a surface) is approximated, and the
-error is on record.
+B-splines that they are. What has no such form (offset curves, some curves given on a surface alone) is approximated,
+and the error is on record.
 """
 
 from collections.abc import Callable
@@ -75,7 +75,9 @@ def flat_edge(curve: BRepAdaptor_Curve, frame: Frame) -> FlatEdge:
     first, last = curve.FirstParameter(), curve.LastParameter()
     if not (abs(first) < 1e100 and abs(last) < 1e100):  # noqa: PLR2004  (the kernel's infinity is 2e100)
         raise ValueError("the edge is infinite")
-    exact = _EXACT.get(curve.GetType()) if curve.Is3DCurve() else None
+    exact = _EXACT.get(curve.GetType())
+    if exact is _exact_spline and not curve.Is3DCurve():
+        exact = None  # only the simpler kinds can be had from a curve that is given on a surface alone
     edge = (exact or _approximated)(curve, frame)
     parameters = first + np.array(_CHECKED) * (last - first)
     points = np.stack([coordinates(curve.Value(parameter)) for parameter in parameters.tolist()])

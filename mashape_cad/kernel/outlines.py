@@ -3,7 +3,6 @@
 import numpy as np
 from OCP.BRep import BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Curve
-from OCP.Standard import Standard_Failure
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopExp import TopExp
 from OCP.TopoDS import TopoDS, TopoDS_Shape
@@ -11,9 +10,9 @@ from OCP.TopTools import TopTools_IndexedMapOfShape
 
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.kernel.faces import FlatWire, PlanarFace
+from mashape_cad.kernel.failures import ShapeError, kernel_failures_told
 from mashape_cad.kernel.flattening import flat_edge
 from mashape_cad.kernel.frames import Frame, coordinates
-from mashape_cad.kernel.shapes import ShapeError
 
 __all__ = ["outline"]
 
@@ -41,11 +40,9 @@ def outline(shape: TopoDS_Shape) -> PlanarFace:
     curves = [BRepAdaptor_Curve(edge) for edge in found if not BRep_Tool.Degenerated_s(edge)]
     if not curves:
         raise ShapeError("it has no edges")
-    try:
+    with kernel_failures_told():
         frame = _frame(np.concatenate([_points(curve) for curve in curves]))
         wire = FlatWire(tuple(flat_edge(curve, frame) for curve in curves), slits=0)
-    except (Standard_Failure, ArithmeticError) as error:
-        raise ShapeError(f"the kernel fails on it: {error}") from error
     return PlanarFace(1, frame.plane(), (wire,), is_side=False, is_flat_spline=False)
 
 

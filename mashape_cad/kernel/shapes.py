@@ -1,6 +1,7 @@
 """Kernel shapes, opaque outside this package: out of files by `read_step` and `read_brep`, told by `is_shape`."""
 
 import os
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -13,7 +14,6 @@ from OCP.BRepTools import BRepTools
 from OCP.IFSelect import IFSelect_ReturnStatus
 from OCP.Interface import Interface_Static
 from OCP.Message import Message, Message_PrinterOStream
-from OCP.Standard import Standard_Failure
 from OCP.STEPConstruct import STEPConstruct_UnitContext
 from OCP.STEPControl import STEPControl_Reader
 from OCP.TColStd import TColStd_SequenceOfAsciiString
@@ -21,13 +21,16 @@ from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS_Compound, TopoDS_Shape
 
-__all__ = ["Shape", "ShapeError", "StepContent", "has_faces", "is_shape", "read_brep", "read_step", "together"]
+from mashape_cad.kernel.failures import ShapeError, kernel_failures_told
+
+__all__ = ["Shape", "StepContent", "has_faces", "is_shape", "read_brep", "read_step", "together"]
 
 Shape = Any  # a kernel shape; nobody outside this package looks into it
 
-
-class ShapeError(ValueError):
-    """The kernel could not make a shape of a file; the message says why, without the file's name."""
+# How a text file ends: the end of the list of shapes, and which of them is the whole. Asked before the kernel is, which
+# reads on for ever in some files that are cut off.
+_TEXT_END = re.compile(rb"\*\s+([+-]\d+ \d+\s*)?(0\s*)?$")
+_TEXT_END_BYTES = 200
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,11 +57,8 @@ def read_step(path: Path) -> StepContent:
     ShapeError
         If it is no STEP file, or one with damaged geometry.
     """
-    with _quiet():
-        try:
-            return _step_content(path)
-        except Standard_Failure as error:
-            raise ShapeError(f"the kernel fails on it: {_reason(error)}") from error
+    with _quiet(), kernel_failures_told():
+        return _step_content(path)
 
 
 def read_brep(path: Path) -> Shape | None:
@@ -69,15 +69,15 @@ def read_brep(path: Path) -> Shape | None:
     ShapeError
         If it is no such file, or a damaged one.
     """
+    content = path.read_bytes()
+    is_text = content.lstrip().startswith((b"DBRep_DrawableShape", b"CASCADE Topology"))
+    if is_text and not _TEXT_END.search(content[-_TEXT_END_BYTES:]):
+        raise ShapeError("it is cut off: the entry for the whole shape at its end is missing")
     shape = TopoDS_Shape()
-    with _quiet():
-        try:
-            is_text = path.read_bytes()[:100].lstrip().startswith((b"DBRep", b"CASCADE"))
-            done = BRepTools.Read_s(shape, str(path), BRep_Builder()) if is_text else BinTools.Read_s(shape, str(path))
-        except Standard_Failure as error:
-            raise ShapeError(f"the kernel fails on it: {_reason(error)}") from error
+    with _quiet(), kernel_failures_told():
+        done = BRepTools.Read_s(shape, str(path), BRep_Builder()) if is_text else BinTools.Read_s(shape, str(path))
     if not done:
-        raise ShapeError("it is cut off or damaged")
+        raise ShapeError("its content breaks the rules of BREP files")
     return None if shape.IsNull() else shape
 
 
@@ -151,10 +151,6 @@ def _length_factors(reader: STEPControl_Reader) -> Iterator[float]:
             units.ComputeFactors(entity.GlobalUnitAssignedContext())
             if units.LengthDone():
                 yield float(units.LengthFactor())
-
-
-def _reason(error: Standard_Failure) -> str:
-    return " ".join(str(error).split()) or type(error).__name__
 
 
 @contextmanager

@@ -124,11 +124,17 @@ def _joined(wire: FlatWire, diagonal: float, gap_rel: float) -> _Joined:
     edges = [part for flat in wire.edges for part in _parts(flat.edge) if _extent(part) > _POINT * diagonal]
     if not edges:
         return _Joined((), (), ())
-    closed = closed_loop(edges)
-    if closed.gaps.max() <= gap_rel * diagonal:
+    if _is_chain(edges, gap_rel * diagonal):
+        closed = closed_loop(edges)
         return _Joined((closed.loop,), tuple(closed.gaps.tolist()), ())
     chained = chain([Strand(edge, i, "", "") for i, edge in enumerate(edges)], gap_rel)
     return _Joined(tuple(each.loop for each in chained.loops), (), chained.findings)
+
+
+def _is_chain(edges: Sequence[Edge], tolerance: float) -> bool:
+    """Whether each edge starts where the one before ends, and none of several is closed in itself."""
+    gaps = [np.hypot(*(edge.start - before.end)) for before, edge in zip([edges[-1], *edges], edges, strict=False)]
+    return max(gaps) <= tolerance and (len(edges) == 1 or not any(edge.is_closed for edge in edges))
 
 
 def _nested(loops: Sequence[Loop], areas: Floats, origin: Origin) -> tuple[Profile, ...]:

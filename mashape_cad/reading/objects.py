@@ -15,7 +15,7 @@ from typing import Any
 from mashape_cad.errors import QueryError
 from mashape_cad.kernel.faces import PlanarFaces, planar_faces
 from mashape_cad.kernel.outlines import outline
-from mashape_cad.kernel.shapes import Shape, ShapeError, has_faces, is_shape, together
+from mashape_cad.kernel.shapes import Shape, has_faces, is_shape, together
 from mashape_cad.options import ReadOptions
 from mashape_cad.reading.faces import face_profiles
 from mashape_cad.reading.part import Part, Unit
@@ -56,7 +56,7 @@ def read_object(thing: object, options: ReadOptions | None = None) -> Part:
         raise QueryError(f"a {name} holds no shape to compare; {wanted}")
     try:
         found = _planar_faces(shapes)
-    except ShapeError as error:
+    except ValueError as error:
         raise QueryError(f"the {name} has no flat outline: {error}; give a face or a closed flat wire") from error
     unit = Unit.named(options.unit, "option") if options.unit else Unit.named("mm", "default")
     made = face_profiles(found, options.gap_rel).scaled(unit.millimetres)

@@ -10,6 +10,7 @@ from mashape_cad.errors import UnreadableFileError
 from mashape_cad.findings import Finding, Severity
 from mashape_cad.kernel import shapes
 from mashape_cad.kernel.faces import planar_faces
+from mashape_cad.kernel.failures import ShapeError
 from mashape_cad.options import ReadOptions
 from mashape_cad.reading.faces import face_profiles
 from mashape_cad.reading.part import Part, Unit
@@ -44,7 +45,7 @@ def read_step(path: Path, options: ReadOptions) -> Part:
     _refuse_other_text(path)
     try:
         content = shapes.read_step(path)
-    except shapes.ShapeError as error:
+    except ShapeError as error:
         raise UnreadableFileError(f"not a sound STEP file: {error}; {_EXPORT_AGAIN}") from error
     stated = _stated_unit(content.units)
     unit = Unit.named(options.unit, "option") if options.unit else stated
@@ -75,7 +76,7 @@ def read_brep(path: Path, options: ReadOptions) -> Part:
     _refuse_empty(path)
     try:
         shape = shapes.read_brep(path)
-    except shapes.ShapeError as error:
+    except ShapeError as error:
         raise UnreadableFileError(f"not a sound BREP file: {error}; {_EXPORT_AGAIN}") from error
     unit = Unit.named(options.unit, "option") if options.unit else Unit.named("mm", "default")
     finding = _unit_finding(unit, unit)
