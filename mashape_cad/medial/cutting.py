@@ -15,7 +15,7 @@ import numpy as np
 from mashape_cad.errors import AxisError
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.disc import EMPTY, TOUCH, maximal_disc, nearest_on_stretch, same_place, touching
-from mashape_cad.medial.ends import Place, SettledDisc, ends
+from mashape_cad.medial.ends import Place, SettledDisc, ends, one_contact
 from mashape_cad.medial.faces import Face, Faces
 from mashape_cad.medial.junction import junction_disc
 from mashape_cad.medial.links import links
@@ -141,21 +141,27 @@ def _fit(tour: Tour, faces: Faces, face: Face, place: Place) -> tuple[int, Place
 
 
 def _inserted(faces: Faces, disc: SettledDisc, face: Face, at: list[tuple[int, Place]]) -> list[Face]:
-    """Insert a disc, or, if one corner of the face is that disc already, give that one the new contacts."""
+    """Insert a disc; if a corner of the face is that disc already, and lacks contacts, give that one the new ones."""
     for corner in range(len(face)):
         number = faces.corner(face, corner)
-        if _same(faces.discs[number], disc):
-            return _attached(faces, number, face, at)
+        lacking = [(k, place) for k, place in at if not _touches(faces, number, place)]
+        if lacking and _same(faces.discs[number], disc):
+            return _attached(faces, number, face, lacking)
     return faces.insert(disc, face, at) if len(at) > 1 else [face]
+
+
+def _touches(faces: Faces, number: int, place: Place) -> bool:
+    """Whether a place is a contact of a disc already."""
+    disc = faces.discs[number]
+    return any(
+        one_contact(faces.tour, place, known, disc.x, disc.y, disc.r) for contact in disc.contacts for known in contact
+    )
 
 
 def _attached(faces: Faces, number: int, face: Face, at: list[tuple[int, Place]]) -> list[Face]:
     """Give a disc that is a corner of a face the contacts it lacks."""
     parts = [face]
-    tour = faces.tour
     for k, place in at:
-        if any(same_place(tour, *place, *p, faces.discs[number].r) for c in faces.discs[number].contacts for p in c):
-            continue
         gap = face[k]
         part = next(part for part in parts if gap in part)
         corner = next((i for i in range(len(part)) if faces.corner(part, i) == number), None)

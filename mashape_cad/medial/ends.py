@@ -23,7 +23,7 @@ from mashape_cad.medial.bezier import curvature_slope, halves, product, value
 from mashape_cad.medial.disc import EMPTY, TOUCH, same_place, touching
 from mashape_cad.medial.tour import ROUND, Tour, site
 
-__all__ = ["Contact", "Place", "SettledDisc", "ends"]
+__all__ = ["Contact", "Place", "SettledDisc", "ends", "one_contact"]
 
 Place = tuple[int, float]
 Contact = tuple[Place, Place]  # first and last place; equal but for a disc that touches along an arc
@@ -180,10 +180,11 @@ def _repeats(tour: Tour, disc: SettledDisc, settled: list[SettledDisc]) -> bool:
     for other in settled:
         if _same_disc(disc, other, 3e-11):
             return True
-        # Not the place alone: the curves on both sides of a reflex vertex may each have an end there.
-        near = _apart(tour, place, other.contacts[0][0]) <= 1e-6 * disc.r
-        if other.kind == "osculating" and near and _same_disc(disc, other, 1e-5 * disc.r):
-            return True
+        if other.kind == "osculating" and _apart(tour, place, other.contacts[0][0]) <= 1e-6 * disc.r:
+            # The curves on both sides of a reflex vertex may each have an end there.
+            between = _stretch(tour, place, other.contacts[0][0])
+            if not any(tour.degree[e] == 0 and high > low for e, low, high in between):
+                return True
     return False
 
 
@@ -241,16 +242,27 @@ def _osculating_disc(tour: Tour, e: int, t: float) -> SettledDisc | None:
     deepest, count, element, place_t = touching(tour, cx, cy, r, TOUCH, -1)
     if deepest < -EMPTY:
         return None
-    here = ((e, t), (e, t))
+    here = _contact_across_border(tour, (e, t), cx, cy, r)
     others = [
         ((int(element[k]), float(place_t[k])),) * 2
         for k in range(count)
-        if not _on_circle_between(tour, (e, t), (int(element[k]), float(place_t[k])), cx, cy, r)
+        if not one_contact(tour, (e, t), (int(element[k]), float(place_t[k])), cx, cy, r)
     ]
     return SettledDisc(cx, cy, r, (here, *others), "osculating")
 
 
-def _on_circle_between(tour: Tour, a: Place, b: Place, cx: float, cy: float, r: float) -> bool:
+def _contact_across_border(tour: Tour, place: Place, cx: float, cy: float, r: float) -> Contact:
+    """Return the contact of an osculating disc, with the nearest border if the disc follows the boundary so far."""
+    e, t = place
+    borders = ((e, 0.0), (int(tour.after[e]), 0.0)) if t > 0.0 else ()
+    for border in borders:
+        smooth = not tour.convex[border[0]] and 0 not in (tour.degree[border[0]], tour.degree[tour.before[border[0]]])
+        if smooth and one_contact(tour, place, border, cx, cy, r):
+            return (border, place) if border[0] == e else (place, border)
+    return place, place
+
+
+def one_contact(tour: Tour, a: Place, b: Place, cx: float, cy: float, r: float) -> bool:
     """Whether two contacts of an osculating disc are one: near, with the boundary on the circle between them."""
     if same_place(tour, *a, *b, r):
         return True

@@ -31,9 +31,12 @@ __all__ = ["ROUND", "Frame", "Ints", "Tour", "site", "tour"]
 
 Ints = NDArray[np.int64]
 
-# Tangents that differ by less (radians) join smoothly; CAD files keep 6 to 9 digits, and a kink of 1e-6 makes a branch
-# that is thinner than any of them can tell.
-_SMOOTH = 1e-6
+# Tangents that differ by less (radians) join smoothly: the disc that touches at such a kink is entered by no more than
+# r * kink^2 / 2, which is below `EMPTY`. A wider convex kink is a vertex with a branch of its own, however thin.
+_SMOOTH = 1e-7
+# Files keep about nine digits, so splines that were smooth meet at kinks of 1e-9 to 1e-6 radians. Where the control
+# points next to a kink have to move by no more than this (sizes of the shape) to take it out, they are moved.
+_DIGITS = 1e-8
 # A turn this close to 180 degrees (radians) is a cusp: the two edges leave the vertex in the same direction.
 _CUSP = 1e-7
 # A span is circular if it stays this close to a circle (sizes of the shape): exporters write round holes as splines, and
@@ -161,6 +164,7 @@ class _Builder:
         """Append the elements of one loop."""
         spans = [span for k, edge in enumerate(edges) for span in self._spans(edge, number + k)]
         _close(spans, self.frame)
+        _straighten(spans)
         first = len(self.rows)
         for k, (control, number, start, end) in enumerate(spans):
             self._add_border(spans[k - 1][0], control, index, number)
@@ -179,7 +183,7 @@ class _Builder:
         """Classify the vertex between two spans; a reflex one becomes a cone."""
         (ux, uy), (vx, vy) = _leg(left[::-1]), _leg(right)
         ux, uy = -ux, -uy
-        turn = math.atan2(ux * vy - uy * vx, ux * vx + uy * vy)
+        turn = _turn((ux, uy), (vx, vy))
         if turn > math.pi - _CUSP:
             place = right[0, :2] / right[0, 2] * self.frame.size + self.frame.middle
             text = f"two edges leave the vertex ({place[0]:.6g}, {place[1]:.6g}) in the same direction"
@@ -249,6 +253,33 @@ def _close(spans: list["_Span"], frame: Frame, tol: float = 1e-9) -> None:
             place = q * frame.size + frame.middle
             text = f"an edge at ({place[0]:.6g}, {place[1]:.6g}) has no length"
             raise InvalidProfileError("zero-length", text, (float(place[0]), float(place[1])))
+
+
+def _straighten(spans: list["_Span"]) -> None:
+    """Take out kinks that are the rounding of the file's digits, by turning the control legs next to them."""
+    for k, (right, *_) in enumerate(spans):
+        left = spans[k - 1][0]
+        legs = [_leg(left[::-1]), _leg(right)]
+        turn = _turn((-legs[0][0], -legs[0][1]), legs[1])
+        free = [len(span) > 3 and len(spans) > 1 for span in (left, right)]  # lines and quadratics share their legs
+        share = abs(turn) / max(1, sum(free))
+        if turn == 0.0 or not any(free) or share * max(np.hypot(*leg) for leg in legs) > _DIGITS:
+            continue
+        for span, movable, sign in ((left[::-1], free[0], 1.0), (right, free[1], -1.0)):
+            if movable:
+                _turn_leg(span, sign * math.copysign(share, turn))
+
+
+def _turn(u: tuple[float, float], v: tuple[float, float]) -> float:
+    """Angle from one direction to another, radians."""
+    return math.atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1])
+
+
+def _turn_leg(control: Floats, angle: float) -> None:
+    """Turn a span's first control leg about its first point."""
+    x, y = control[1, :2] / control[1, 2] - control[0, :2] / control[0, 2]
+    cos, sin = math.cos(angle), math.sin(angle)
+    control[1, :2] = (control[0, :2] / control[0, 2] + (cos * x - sin * y, sin * x + cos * y)) * control[1, 2]
 
 
 def _circle(control: Floats) -> tuple[float, float, float]:
