@@ -228,6 +228,7 @@ def _deaf_to_interrupts() -> Iterator[None]:
 def _serve(pipe: Connection, function: Callable[[Any], Any], prepare: Callable[[], None]) -> None:
     """Be a worker: answer each item that comes through the pipe until the other end closes it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
     os.dup2(2, 1)  # what libraries print does not belong between the results
     if not sys.warnoptions:
         warnings.simplefilter("ignore")
@@ -237,6 +238,14 @@ def _serve(pipe: Connection, function: Callable[[Any], Any], prepare: Callable[[
     with suppress(EOFError, OSError):  # nobody is there any more
         while True:
             pipe.send(_answer(function, pipe.recv()))
+
+
+def _end_with_parent() -> None:
+    """Wait until the process that gives us work is gone, whatever it died of, and end in the middle of ours."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
 
 
 def _answer(function: Callable[[Any], Any], item: Any) -> Any:

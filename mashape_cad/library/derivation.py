@@ -270,4 +270,6 @@ def _no_profile(part: Part) -> Failure:
         if finding.severity is Severity.LOST:
             counts[finding.code] += finding.count
     met = ", ".join(f"{code} {count}" for code, count in sorted(counts.items())) or "nothing at all"
-    return Failure("no-profile", f"no closed planar outline in it (met: {met}); draw it as closed edges")
+    if part.format == "dxf":
+        return Failure("no-profile", f"no closed outline in it (met: {met}); close it in the drawing and save again")
+    return Failure("no-profile", f"no planar face in it (met: {met}); only planar faces can be compared")

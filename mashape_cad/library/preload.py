@@ -4,10 +4,13 @@ Importing this module is all there is to it: a worker forked afterwards is ready
 the kernel is missing, nothing is loaded, and the first file says so.
 """
 
+import signal
 from contextlib import suppress
 
 from mashape_cad.errors import KernelUnavailableError
 
+# Loading takes seconds, and Ctrl-C meanwhile is meant for this process too: it ends without a word.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
 with suppress(KernelUnavailableError):
     import mashape_cad.library.derivation
     import mashape_cad.reading.dxf
