@@ -57,7 +57,8 @@ def foot(profile: Profile, tour: Tour, place: Place) -> tuple[int, float]:
 def _angle_fraction(t: float, angle: float) -> float:
     """Fraction of the angle at parameter t of a rational quadratic arc: its parameter is not linear in the angle."""
     half = abs(angle) / 2
-    # In the frame of the arc's middle the point is ((1-t)^2 + 2 t (1-t) + t^2) cos, (t^2 - (1-t)^2) sin over the weight.
+    # In the frame of the arc's middle the point is ((1-t)^2 + 2 t (1-t) + t^2) cos, (t^2 - (1-t)^2) sin over the
+    # weight.
     s = 1.0 - t
     x = (s * s + t * t) * math.cos(half) + 2 * s * t
     y = (t * t - s * s) * math.sin(half)
@@ -67,7 +68,7 @@ def _angle_fraction(t: float, angle: float) -> float:
 def _pieces(faces: Faces) -> tuple[Pieces, dict[int, tuple[int, int]]]:
     """Return the pieces, and of which piece, and which side of it, each gap is the boundary."""
     rows = []
-    side_of_gap = {}
+    side_of_gap: dict[int, tuple[int, int]] = {}
     for number, face in enumerate(faces.faces):
         sides = [faces.stretch(gap) for gap in face]
         if len(face) != 2 or sides[0] is None or sides[1] is None:

@@ -90,7 +90,7 @@ def _resolved(tour: Tour, faces: Faces, face: Face, age: int) -> list[tuple[Face
     if len(faces.contact) > known:
         parts = dict.fromkeys(faces.face_of(gap) for gap in (*face, *range(known, len(faces.contact))))
         return [(part, age + 1) for part in parts]
-    if len(face) > 2 and _extent(tour, faces, face) < _STAR and (star := _cluster(tour, faces, face, _STAR)):
+    if len(face) > 2 and _extent(faces, face) < _STAR and (star := _cluster(tour, faces, face, _STAR)):
         return [(part, 0) for part in _inserted(faces, star[0], face, star[1])]
     raise AxisError("a face of the domain could not be cut further", _place_of(faces, face))
 
@@ -290,7 +290,7 @@ def _corner_discs(faces: Faces, face: Face) -> list[SettledDisc]:
     return [faces.discs[faces.corner(face, k)] for k in range(len(face))]
 
 
-def _extent(tour: Tour, faces: Faces, face: Face) -> float:
+def _extent(faces: Faces, face: Face) -> float:
     """Largest distance between the centres at a face's corners: how big its part of the axis can be."""
     centres: Floats = np.array([(disc.x, disc.y) for disc in _corner_discs(faces, face)])
     return float(np.ptp(centres, axis=0).max())

@@ -44,6 +44,16 @@ TOUCH = 1e-11
 # leaves the boundary by s^2 / r only, so feet are known to about the root of the distance's rounding.
 _SAME_ABSOLUTE, _SAME_RELATIVE = 3e-9, 3e-6
 _SNAP = 1e-9  # parameters this close to a border are the border
+_TINY = 1e-300  # a height below this counts as none: a quotient by it would overflow
+_STRAIGHT = 1e-9  # a curvature below this bounds no disc; _WIDEST does
+_WIDEST = 4.0  # radius that no disc inside a shape of size 1 has
+_SAME_CIRCLE = 1e-8  # arcs whose centres and radii agree this well lie on one circle
+# Steps of the descent: below the first f is flat to rounding and G alone tells whether a step helps; below the second
+# the parameter has settled; the third is the spacing of numbers near 1.
+_FLAT_STEP, _SETTLED_STEP, _RESOLUTION = 1e-6, 1e-15, 1e-16
+# Minima on a span: a stretch this short is not halved any more, a minimum this near to its end is looked for beyond it
+# too, and two this close are one.
+_SHORTEST, _NEAR_END, _SAME_MINIMUM = 1e-6, 1e-12, 1e-7
 _MAX_STACK = 256
 _MAX_FOUND = 512
 
@@ -53,7 +63,7 @@ def _radius(px: float, py: float, nx: float, ny: float, qx: float, qy: float) ->
     """Radius of the disc that touches p along n and passes through q; infinite if q lies behind p."""
     dx, dy = qx - px, qy - py
     height = nx * dx + ny * dy
-    if height <= 1e-300:
+    if height <= _TINY:
         return math.inf
     return (dx * dx + dy * dy) / (2.0 * height)
 
@@ -135,18 +145,19 @@ def _polish(tour: Tour, px: float, py: float, nx: float, ny: float, e: int, t: f
         bound = 0.3 * 0.97**k
         step = min(max(step, -bound), bound)
         accepted = False
+        s, f_new, g_new, slope_new, speed_new = t, f, g, slope, speed
         for _ in range(40):
             s = min(max(t + step, 0.0), 1.0)
             f_new, g_new, slope_new, speed_new, _ = _descent(tour, px, py, nx, ny, e, s)
-            if f_new <= f or (abs(step) < 1e-6 and abs(g_new) < abs(g)):
+            if f_new <= f or (abs(step) < _FLAT_STEP and abs(g_new) < abs(g)):
                 accepted = True
                 break
             step /= 2
         if not accepted:
             break
-        done = abs(s - t) < 1e-15
+        done = abs(s - t) < _SETTLED_STEP
         t, f, g, slope, speed = s, f_new, g_new, slope_new, speed_new
-        if done and not (t == 0.0 or t == 1.0):
+        if done and 0.0 < t < 1.0:
             break
         if done and g == 0.0:
             break
@@ -169,7 +180,7 @@ def _span_minimum(tour: Tour, e: int, low: float, high: float, cx: float, cy: fl
         s = t - g / slope if slope > 0 else math.inf
         if not (a <= s <= b):
             s = (a + b) / 2
-        if abs(s - t) < 1e-16 or b - a < 1e-16:
+        if abs(s - t) < _RESOLUTION or b - a < _RESOLUTION:
             t = s
             break
         t = s
@@ -213,13 +224,13 @@ def distance_minima(
             continue
         if (
             skip >= 0
-            and abs(tour.round_radius[e] - tour.round_radius[skip]) <= 1e-8
+            and abs(tour.round_radius[e] - tour.round_radius[skip]) <= _SAME_CIRCLE
             and (
                 math.hypot(
                     tour.round_centre[e, 0] - tour.round_centre[skip, 0],
                     tour.round_centre[e, 1] - tour.round_centre[skip, 1],
                 )
-                <= 1e-8
+                <= _SAME_CIRCLE
             )
         ):
             continue
@@ -262,7 +273,7 @@ def _minima_on_span(
         level = coefficients.max() - coefficients.min() < EMPTY / 2 * r
         at_low, at_high, convex = _lowest(coefficients, low == 0.0, high == 1.0)
         settled = inside or level or at_low >= 0 or convex
-        if not settled and high - low > 1e-6 and top + 2 <= _MAX_STACK:
+        if not settled and high - low > _SHORTEST and top + 2 <= _MAX_STACK:
             left, right = halves(coefficients)
             middle = (low + high) / 2
             stack[top], stack[top + 1] = right, left
@@ -272,11 +283,13 @@ def _minima_on_span(
             continue
         if at_low == 0 and at_high == 0:
             continue
-        if at_low > 0 or at_high > 0:
-            t = low if at_low > 0 else high
+        if at_low > 0:
+            t = low
+        elif at_high > 0:
+            t = high
         else:
             t = _span_minimum(tour, e, low, high, cx, cy)
-        if t - low < 1e-12 or high - t < 1e-12:
+        if t - low < _NEAR_END or high - t < _NEAR_END:
             width = high - low
             t = _span_minimum(tour, e, max(t - width, 0.0), min(t + width, 1.0), cx, cy)
         x, y, _, _, _, _ = evaluate(tour.control[e], degree, t)
@@ -284,7 +297,7 @@ def _minima_on_span(
         off = math.hypot(x - cx, y - cy) - r
         known = off > tol
         for k in range(first, count):
-            known = known or abs(place_t[k] - t) < 1e-7
+            known = known or abs(place_t[k] - t) < _SAME_MINIMUM
         if not known and count < _MAX_FOUND:
             element[count], place_t[count], depth[count] = e, t, off
             count += 1
@@ -368,7 +381,7 @@ def touching(tour: Tour, cx: float, cy: float, r: float, tol: float, skip: int) 
         e, s = element[k], t[k]
         if s <= _SNAP or s >= 1.0 - _SNAP:
             # The end of a span: a contact only where the boundary beyond it does not come nearer still.
-            e, s, keep = _contact_at_border(tour, e, s < 0.5, cx, cy, tol)
+            e, s, keep = _contact_at_border(tour, e, s <= _SNAP, cx, cy)
             if not keep:
                 continue
         known = False
@@ -381,7 +394,7 @@ def touching(tour: Tour, cx: float, cy: float, r: float, tol: float, skip: int) 
 
 
 @njit(cache=True)
-def _contact_at_border(tour: Tour, e: int, at_start: bool, cx: float, cy: float, tol: float) -> tuple[int, float, bool]:
+def _contact_at_border(tour: Tour, e: int, at_start: bool, cx: float, cy: float) -> tuple[int, float, bool]:
     """Decide whether a disc around c that reaches a span's end touches there, and as which place."""
     other = tour.before[e] if at_start else tour.after[e]
     if tour.degree[other] == 0:
@@ -420,7 +433,7 @@ def maximal_disc(tour: Tour, e: int, t: float) -> tuple[float, float, float, boo
         left = tour.before[e]
         if tour.degree[left] > 0:
             curvature = max(curvature, site(tour, left, 1.0)[4])
-    limit = 1.0 / curvature if curvature > 1e-9 else 4.0
+    limit = 1.0 / curvature if curvature > _STRAIGHT else _WIDEST
     start_e, start_t, best = -1, 0.0, math.inf
     for k in range(len(tour.sample)):
         f = _radius(px, py, nx, ny, tour.sample[k, 0], tour.sample[k, 1])
@@ -496,7 +509,7 @@ def twin_on_stretch(tour: Tour, e: int, t: float, f: int, low: float, high: floa
     f(p, .) is sampled on the stretch and descended to a root of G between the neighbours of the best sample.
     """
     px, py, nx, ny, curvature, _ = site(tour, e, t)
-    limit = 1.0 / curvature if curvature > 1e-9 else 4.0
+    limit = 1.0 / curvature if curvature > _STRAIGHT else _WIDEST
     if tour.degree[f] == 0:
         r = min(limit, _radius(px, py, nx, ny, tour.control[f, 0, 0], tour.control[f, 0, 1]))
         x, y = px + r * nx, py + r * ny
@@ -521,9 +534,9 @@ def twin_on_stretch(tour: Tour, e: int, t: float, f: int, low: float, high: floa
         step = s - g / slope if slope > 0.0 else math.inf
         if not (a <= step <= b):
             step = (a + b) / 2
-        done = abs(step - s) < 1e-16
+        done = abs(step - s) < _RESOLUTION
         s = step
-        if done or b - a < 1e-16:
+        if done or b - a < _RESOLUTION:
             break
     r = min(limit, _descent(tour, px, py, nx, ny, f, s)[0])
     return px + r * nx, py + r * ny, r, s

@@ -34,6 +34,9 @@ _FULL_LOOP: Place = (-1, 0.0)
 _ARC = 1e-8
 # Coefficients this small against the largest one are rounding of products of up to eight factors.
 _NOISE = 1e-11
+_STRAIGHT = 1e-9  # a curvature below this (one over sizes) has no maximum that matters
+_SAME_CURVATURE = 1e-9  # curvatures that agree this well, relatively, do not jump
+_SHORTEST = 1e-9  # stretches of parameters this short are not halved any more: what changes sign there is one root
 
 
 @dataclass(frozen=True, slots=True)
@@ -210,9 +213,9 @@ def _border_candidate(tour: Tour, e: int, slopes: dict[int, Floats]) -> Place | 
     if tour.convex[e]:
         return None
     k_left, k_right = (site(tour, left, 1.0)[4], site(tour, e, 0.0)[4])
-    if max(k_left, k_right) <= 1e-9:
+    if max(k_left, k_right) <= _STRAIGHT:
         return None
-    same = abs(k_left - k_right) <= 1e-9 * max(abs(k_left), abs(k_right))
+    same = abs(k_left - k_right) <= _SAME_CURVATURE * max(abs(k_left), abs(k_right))
     for element, curvature in ((left, k_left), (e, k_right)):
         if (same or curvature == max(k_left, k_right)) and not np.isnan(tour.round_radius[element]):
             return None  # the whole arc is a candidate
@@ -235,7 +238,7 @@ def _osculating_disc(tour: Tour, e: int, t: float) -> SettledDisc | None:
         lx, ly, lnx, lny, left_curvature, _ = site(tour, int(tour.before[e]), 1.0)
         if left_curvature > curvature:
             x, y, nx, ny, curvature = lx, ly, lnx, lny, left_curvature
-    if curvature <= 1e-9:
+    if curvature <= _STRAIGHT:
         return None
     r = 1 / curvature
     cx, cy = x + r * nx, y + r * ny
@@ -330,11 +333,11 @@ def falling_roots(coefficients: Floats) -> Floats:
         for c in row:
             sign = 0 if abs(c) <= noise else (1 if c > 0 else -1)
             if sign != 0:
-                changes += 1 if last != 0 and sign != last else 0
+                changes += 1 if last not in (0, sign) else 0
                 last = sign
         if changes == 0:
             continue
-        if changes == 1 or high - low < 1e-9 or top + 2 > 128:
+        if changes == 1 or high - low < _SHORTEST or top + 2 > 128:
             if last < 0 and count < len(roots):
                 roots[count] = _bisected(coefficients, low, high)
                 count += 1

@@ -34,13 +34,13 @@ def _highest(tour: Tour, loop: int) -> Place:
     """Place of a hole that is highest in direction `_UP`, with its normal in that direction."""
     elements = np.flatnonzero(tour.loop == loop)
     best: tuple[float, Place] = (-math.inf, (int(elements[0]), 0.0))
-    for e in elements:
+    for e in elements.tolist():
         t = _highest_on_cone(tour, e) if tour.degree[e] == 0 else _highest_on_span(tour, e)
         if t is not None:
             x, y, *_ = site(tour, e, t)
             # A cone wins over the ends of its neighbours: only its normals include the direction.
             height = _UP[0] * x + _UP[1] * y + (1e-12 if tour.degree[e] == 0 else 0.0)
-            best = max(best, (height, (int(e), t)))
+            best = max(best, (height, (e, t)))
     return best[1]
 
 

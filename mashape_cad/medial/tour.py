@@ -39,8 +39,9 @@ _SMOOTH = 1e-7
 _DIGITS = 1e-8
 # A turn this close to 180 degrees (radians) is a cusp: the two edges leave the vertex in the same direction.
 _CUSP = 1e-7
-# A span is circular if it stays this close to a circle (sizes of the shape): exporters write round holes as splines, and
-# the curvature of such a span has maxima that are noise. Recorded as the tolerance of the disc that fills the circle.
+# A span is circular if it stays this close to a circle (sizes of the shape): exporters write round holes as splines,
+# and the curvature of such a span has maxima that are noise. Recorded as the tolerance of the disc that fills the
+# circle.
 ROUND = 1e-9
 # A circle of more than this radius (sizes) is as good as a straight line: its centre would be noise.
 _FLAT = 1e4
@@ -166,9 +167,9 @@ class _Builder:
         _close(spans, self.frame)
         _straighten(spans)
         first = len(self.rows)
-        for k, (control, number, start, end) in enumerate(spans):
-            self._add_border(spans[k - 1][0], control, index, number)
-            self._append(control, (len(control) - 1, index, number, start, end))
+        for k, (control, edge, start, end) in enumerate(spans):
+            self._add_border(spans[k - 1][0], control, index, edge)
+            self._append(control, (len(control) - 1, index, edge, start, end))
         count = len(self.rows) - first
         self.after += [first + (k + 1) % count for k in range(count)]
 

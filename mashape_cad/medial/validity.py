@@ -9,7 +9,7 @@ from numba import njit
 
 from mashape_cad.errors import InvalidProfileError
 from mashape_cad.geometry.edge import Floats
-from mashape_cad.medial.tour import Frame, Tour
+from mashape_cad.medial.tour import Frame, Tour, site
 
 __all__ = ["check_simple"]
 
@@ -18,6 +18,8 @@ _TOUCH = 1e-9
 # Neighbours may run this far from their common end (sizes) before they are looked at: below, corners and tangent joins
 # look alike to boxes.
 _JOIN = 1e-6
+# Control legs shorter than the root of this (sizes of the shape) have no direction.
+_NO_LEG_SQ = 1e-24
 
 
 def check_simple(tour: Tour, frame: Frame) -> None:
@@ -33,20 +35,32 @@ def check_simple(tour: Tour, frame: Frame) -> None:
         px, py = frame.middle + frame.size * np.array([x, y])
         text = f"the outline crosses or touches itself at ({px:.6g}, {py:.6g}); mend it in the drawing"
         raise InvalidProfileError("crossing", text, (float(px), float(py)))
-    outer = tour.sample[tour.loop[tour.sample_element] == 0]
+    outer = _polygon(tour, 0)
     for loop in range(1, int(tour.loop.max()) + 1):
-        x, y = tour.sample[tour.loop[tour.sample_element] == loop][0]
-        if not _winds_round(outer, float(x), float(y)):
-            px, py = frame.middle + frame.size * np.array([x, y])
+        # Loops do not cross, so a hole lies inside if any of its points does; those near the outer loop may seem not to.
+        points = _polygon(tour, loop)
+        if not any(_winds_round(outer, float(x), float(y)) for x, y in points):
+            px, py = points[0] * frame.size + frame.middle
             text = f"the hole at ({px:.6g}, {py:.6g}) lies outside the outer loop"
             raise InvalidProfileError("hole-outside", text, (float(px), float(py)))
 
 
+def _polygon(tour: Tour, loop: int) -> Floats:
+    """Points along a loop, in order."""
+    places = [
+        (int(e), t) for e in np.flatnonzero((tour.loop == loop) & (tour.degree > 0)) for t in _steps(int(tour.degree[e]))
+    ]
+    return np.array([site(tour, e, t)[:2] for e, t in places])
+
+
+def _steps(degree: int) -> Floats:
+    return np.linspace(0.0, 1.0, 1 if degree == 1 else 16, endpoint=False)
+
+
 def _winds_round(polygon: Floats, x: float, y: float) -> bool:
     """Whether a closed polygon winds round a point once, counter-clockwise."""
-    angle = np.unwrap(np.arctan2(polygon[:, 1] - y, polygon[:, 0] - x))
-    closing = np.arctan2(polygon[0, 1] - y, polygon[0, 0] - x)
-    turns = (np.unwrap([angle[-1], closing])[1] - angle[0]) / (2 * np.pi)
+    angle = np.unwrap(np.arctan2(polygon[:, 1] - y, polygon[:, 0] - x), period=2 * np.pi)
+    turns = (np.unwrap([angle[-1], angle[0]])[1] - angle[0]) / (2 * np.pi)
     return bool(round(turns) == 1)
 
 
@@ -120,7 +134,7 @@ def _turning(control: Floats, degree: int) -> float:
     for i in range(degree):
         dx = control[i + 1, 0] / control[i + 1, 2] - control[i, 0] / control[i, 2]
         dy = control[i + 1, 1] / control[i + 1, 2] - control[i, 1] / control[i, 2]
-        if dx * dx + dy * dy < 1e-24:
+        if dx * dx + dy * dy < _NO_LEG_SQ:
             continue
         if seen:
             total += abs(np.arctan2(px * dy - py * dx, px * dx + py * dy))

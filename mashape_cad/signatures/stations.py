@@ -4,6 +4,7 @@ Readings of the paper's unclear lines are cited by their number in ``docs/paper-
 """
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -16,6 +17,8 @@ __all__ = ["Stations", "stations"]
 
 # Table from which arc length is inverted: on a span cut in 32 parts linear interpolation is good to 1e-3 of a step.
 _TABLE = 32
+# Normals that differ by less are equal: the disc osculates.
+_NO_TURN = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -92,7 +95,7 @@ def _equal_steps(edge: Edge, count: int) -> Floats:
     if isinstance(edge, Line):
         return middles
     _, breaks = edge.spans()
-    u = np.unique(np.concatenate([np.linspace(a, b, _TABLE + 1) for a, b in zip(breaks, breaks[1:], strict=False)]))
+    u = np.unique(np.concatenate([np.linspace(a, b, _TABLE + 1) for a, b in pairwise(breaks)]))
     # Simpson's rule on each interval of the table.
     speed = np.linalg.norm(edge.derivatives(np.sort(np.concatenate([u, (u[1:] + u[:-1]) / 2])))[:, 1], axis=1)
     steps = np.diff(u) * (speed[:-1:2] + 4 * speed[1::2] + speed[2::2]) / 6
@@ -133,7 +136,7 @@ def _branch_of_piece(axis: MedialAxis) -> Ints:
 
 
 def _runs(axis: MedialAxis, branch: Ints, element: Ints) -> Ints:
-    """Number the stretches of consecutive stations on one branch and one loop."""
+    """Return for each station the number of its run: consecutive stations on one branch and one loop."""
     changed = np.ones(len(branch), dtype=bool)
     loop = axis.tour.loop[element]
     changed[1:] = (branch[1:] != branch[:-1]) | (loop[1:] != loop[:-1])
@@ -162,7 +165,7 @@ def _tangent(normal: Floats, other: Floats) -> Floats:
     difference = normal - other
     turned = np.column_stack([difference[:, 1], -difference[:, 0]])
     length = np.hypot(turned[:, 0], turned[:, 1])
-    ended = length < 1e-9
+    ended = length < _NO_TURN
     turned[ended], length[ended] = normal[ended], 1.0
     return turned / length[:, None]
 
