@@ -31,8 +31,8 @@ __all__ = ["Chained", "ChainedLoop", "chain"]
 _SAME_EDGE = 1e-6
 # A gap may be this much wider than the tolerance if it closes a loop...
 _WIDER = 20.0
-# ...of whose length it is no more than this share: what the gap leaves open is surely not meant.
-_SHARE_OF_LOOP = 1e-2
+# ...of whose area over length it is no more than this share: lines that run side by side are not meant to be joined.
+_SHARE_OF_WIDTH = 0.1
 # Of a loop's size: less width could not be told from a line. A strip of 1 mm to a kilometre has 1e-6.
 _NO_WIDTH = 1e-9
 
@@ -133,16 +133,15 @@ def _joined(graph: Drawing, gap_rel: float) -> Nodes:
     joined = near.copy()
     for steps in find_cycles(far).cycles:
         members = [edge for edge, _ in steps]
-        if _widest_gap(graph, steps) <= _SHARE_OF_LOOP * graph.lengths[members].sum():
+        fit = _closed(graph, steps)[1]
+        if fit.gaps.max() > tolerance and _is_short_beside_loop(fit):
             joined[members] = far[members] + near.max() + 1  # nodes of their own: a cycle shares none
     return joined
 
 
-def _widest_gap(graph: Drawing, steps: Sequence[Step]) -> float:
-    starts, ends = (
-        np.array([graph.ends[edge, int(side != backwards)] for edge, backwards in steps]) for side in (False, True)
-    )
-    return float(np.linalg.norm(starts - np.roll(ends, 1, axis=0), axis=1).max())
+def _is_short_beside_loop(fit: Closed) -> bool:
+    mean_width = abs(fit.loop.signed_area) / fit.loop.length
+    return bool(fit.gaps.max() <= _SHARE_OF_WIDTH * mean_width)
 
 
 def _untangled(graph: Drawing, nodes: Nodes) -> Cycles:

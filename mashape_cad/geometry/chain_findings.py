@@ -63,18 +63,29 @@ def open_chains(graph: Drawing, nodes: Nodes, groups: Numbered) -> list[Finding]
     if not groups:
         return []
     is_loose = np.bincount(nodes.ravel())[nodes] == 1
-    loose = graph.ends[is_loose]
+    loose = cKDTree(graph.ends[is_loose]) if is_loose.any() else None
     findings = []
     for group in groups[:_ONE_BY_ONE]:
         ends = graph.ends[list(group)][is_loose[list(group)]]
         place = ends[0] if len(ends) else graph.ends[group[0], 0]
-        text = f"{_counted(len(group), 'edge')} that close no loop{_next_end(ends, loose)}"
-        findings.append(_finding("chain-open", graph, group, text, place))
+        text = _closes_no_loop("", len(group)) + _next_end(ends, loose)
+        findings.append(_lost("chain-open", graph, group, text, place))
     rest = groups[_ONE_BY_ONE:]
     if rest:
-        text = f"{len(rest)} more open chains of {_counted(sum(map(len, rest)), 'edge')} that close no loop"
-        findings.append(_finding("chain-open", graph, rest[0], text, graph.ends[rest[0][0], 0], len(rest)))
+        text = _closes_no_loop("more ", sum(map(len, rest))) + f", in {_counted(len(rest), 'chain')}"
+        findings.append(_lost("chain-open", graph, rest[0], text, graph.ends[rest[0][0], 0], len(rest)))
     return findings
+
+
+def _closes_no_loop(more: str, count: int) -> str:
+    return f"{count} {more}edge closes no loop" if count == 1 else f"{count} {more}edges close no loop"
+
+
+def _next_end(ends: Floats, loose: cKDTree | None) -> str:
+    if loose is None or len(ends) == 0 or loose.n < 2:
+        return ""
+    gap = float(loose.query(ends, k=2)[0][:, 1].min())
+    return f"; the next loose end is {gap:.3g} mm away"
 
 
 def branches(graph: Drawing, nodes: Nodes, tangles: Numbered) -> list[Finding]:
@@ -85,21 +96,14 @@ def branches(graph: Drawing, nodes: Nodes, tangles: Numbered) -> list[Finding]:
         degree = np.bincount(nodes[members].ravel())
         place = graph.ends[members][degree[nodes[members]] > 2][0]
         text = (
-            f"{len(tangle)} edges that close more than one loop, left out: more than two meet at a point; "
-            "put what is not outline on another layer"
+            f"{len(tangle)} edges close more than one loop, as more than two of them meet at a point; "
+            "put what is not outline on a layer of its own"
         )
-        findings.append(_finding("chain-branch", graph, tangle, text, place))
+        findings.append(_lost("chain-branch", graph, tangle, text, place))
     return findings
 
 
-def _next_end(ends: Floats, loose: Floats) -> str:
-    if len(ends) == 0 or len(loose) < 2:
-        return ""
-    gap = float(cKDTree(loose).query(ends, k=2)[0][:, 1].min())
-    return f"; the next loose end is {gap:.3g} mm away"
-
-
-def _finding(code: str, graph: Drawing, members: Sequence[int], text: str, place: Floats, count: int = 1) -> Finding:
+def _lost(code: str, graph: Drawing, members: Sequence[int], text: str, place: Floats, count: int = 1) -> Finding:
     return Finding(code, Severity.LOST, text, graph.strands[members[0]].handle, _place(place), count)
 
 

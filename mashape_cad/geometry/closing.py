@@ -76,14 +76,16 @@ def _fitted(edge: Edge, old: tuple[Floats, Floats], new: tuple[Floats, Floats]) 
     if isinstance(edge, Line):
         return Line.of(*new)
     moved = max(np.abs(new[0] - old[0]).max(), np.abs(new[1] - old[1]).max())
-    if moved <= _ROUNDING * max(np.abs(old[0]).max(), np.abs(old[1]).max()):
+    rounding = _ROUNDING * max(np.abs(old[0]).max(), np.abs(old[1]).max())
+    if moved <= rounding or moved > _STIFF * np.hypot(*(old[1] - old[0])):
+        # Moved that far, it would be another curve; left open, the medial axis refuses the loop.
         return edge
     return edge.transformed(Similarity.carrying(old, new))
 
 
 def _closed_edge(edge: Edge, gap: float) -> Edge:
     """Close a curve in itself."""
-    if gap <= _ROUNDING * np.abs(edge.bounds()).max():
+    if gap <= _ROUNDING * np.abs(edge.start).max():
         return edge
     if isinstance(edge, EllipseArc):
         return replace(edge, sweep=float(np.copysign(2 * np.pi, edge.sweep)))

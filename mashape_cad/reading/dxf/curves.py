@@ -28,8 +28,9 @@ __all__ = ["Drawn", "UnusableEntityError", "bulge_edge", "draws_curve", "entity_
 _TILT = 1e-6
 # Beyond, neighbouring floats are more than a tenth of a unit apart: no outline is meant there.
 _FARTHEST = 1e15
-# Bulge (tangent of a quarter of the arc's angle): a smaller one bows by less than rounding.
-_STRAIGHT_BULGE = 1e-12
+# Bulge (tangent of a quarter of the arc's angle) b of a chord c: the arc bows by b c / 2, but its radius of c / (4 b)
+# rounds its ends off by 1e-16 of itself. A smaller bulge than this is better served by a line.
+_STRAIGHT_BULGE = 1e-8
 # Flag of a VERTEX.
 _SPLINE_FRAME = 16
 
@@ -223,8 +224,9 @@ def _fit_spline(entity: Any) -> Drawn:
         points = np.concatenate([points, points[:1]])
     if entity.closed and len(points) > 3:
         return _drawn(_periodic_fit(points[:, :2]), points[:, 2])
-    tangents = [entity.dxf.get("start_tangent"), entity.dxf.get("end_tangent")]
-    tool = fit_points_to_cad_cv(points, tangents=None if None in tangents else tangents)
+    has_tangents = entity.dxf.hasattr("start_tangent") and entity.dxf.hasattr("end_tangent")
+    tangents = [entity.dxf.start_tangent, entity.dxf.end_tangent] if has_tangents else None
+    tool = fit_points_to_cad_cv(points, tangents=tangents)
     poles = _numbers(list(tool.control_points))
     return _drawn(spline_edges(tool.degree, tool.knots(), poles[:, :2]), poles[:, 2])
 

@@ -15,13 +15,14 @@ from ezdxf.filemanagement import readfile
 
 from mashape_cad.errors import UnreadableFileError
 from mashape_cad.findings import Finding, Severity
-from mashape_cad.reading.dxf.repair import with_decimal_points, with_subclass_markers
+from mashape_cad.reading.dxf.repair import Marked, with_decimal_points, with_subclass_markers
 
 __all__ = ["Document", "listening", "load_document", "message_findings"]
 
 _T = TypeVar("_T")
 
 _BINARY = b"AutoCAD Binary DXF\r\n\x1a\x00"
+_BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 _END = b"EOF"
 # The end mark stands in the last line; some writers add remarks behind it.
 _TAIL = 4096
@@ -49,8 +50,8 @@ def load_document(path: Path) -> Document:
     if drawing is not None:
         return Document(drawing, ())
     data = path.read_bytes()
-    _refuse_torn(data)
-    return _recovered(data, trouble)
+    _refuse_other_text(data)
+    return _recovered(data, trouble.replace(str(path), path.name))
 
 
 @contextmanager
@@ -87,23 +88,36 @@ class _Collector(logging.Handler):
 def _recovered(data: bytes, trouble: str) -> Document:
     """Recover what can be recovered."""
     findings = [Finding("file-recovered", Severity.REPAIRED, f"the file is damaged and was recovered: {trouble}")]
-    if not data.startswith(_BINARY):
+    is_text = not data.startswith(_BINARY)
+    if is_text:
         data, commas = with_decimal_points(data)
-        if commas:
-            findings.append(Finding("file-decimal-comma", Severity.REPAIRED, f"{commas} decimal commas", count=commas))
+        findings += _comma_finding(commas)
     result, _ = _attempt(lambda: recover.read(BytesIO(data)))
-    if result is None and not data.startswith(_BINARY):
-        data, left_out = with_subclass_markers(data)
-        result, _ = _attempt(lambda: recover.read(BytesIO(data)))
-        text = "subclass markers were missing and have been added"
-        findings.append(Finding("file-subclass-markers", Severity.REPAIRED, text))
-        if left_out:
-            text = f"{left_out} entities of kinds that cannot be repaired, left out"
-            findings.append(Finding("entity-unsupported", Severity.LOST, text, count=left_out))
+    if result is None and is_text:
+        marked = with_subclass_markers(data)
+        if marked.mended:
+            result, _ = _attempt(lambda: recover.read(BytesIO(marked.data)))
+            findings += _marker_findings(marked)
     if result is None:
         raise UnreadableFileError(f"not a sound DXF file: {trouble}; open it in a CAD program and save it again")
     drawing, auditor = result
     return Document(drawing, (*findings, *_audit_findings(auditor)))
+
+
+def _comma_finding(commas: int) -> list[Finding]:
+    if commas == 0:
+        return []
+    text = f"{commas} numbers with a decimal comma, read as if it were a point"
+    return [Finding("file-decimal-comma", Severity.REPAIRED, text, count=commas)]
+
+
+def _marker_findings(marked: Marked) -> list[Finding]:
+    text = f"{marked.mended} subclass markers were missing and have been added"
+    findings = [Finding("file-subclass-markers", Severity.REPAIRED, text, count=marked.mended)]
+    if marked.left_out:
+        text = f"{marked.left_out} entities without subclass markers, of kinds that are not repaired"
+        findings.append(Finding("entity-unsupported", Severity.LOST, text, count=marked.left_out))
+    return findings
 
 
 def _attempt(load: Callable[[], _T]) -> tuple[_T | None, str]:
@@ -114,9 +128,14 @@ def _attempt(load: Callable[[], _T]) -> tuple[_T | None, str]:
         return None, _one_line(str(error) or type(error).__name__)
 
 
-def _refuse_torn(data: bytes) -> None:
-    """Refuse a file whose end is missing: what is left of it may be half a part."""
-    if not data.startswith(_BINARY) and _END not in data[-_TAIL:]:
+def _refuse_other_text(data: bytes) -> None:
+    """Refuse what does not begin like a DXF file, and what has lost its end: it may be half a part."""
+    if data.startswith(_BINARY):
+        return
+    first = data.removeprefix(_BYTE_ORDER_MARK).split(maxsplit=1)
+    if not first or not first[0].isdigit():
+        raise UnreadableFileError("not a DXF file: it does not begin with a group code; check what it really is")
+    if _END not in data[-_TAIL:]:
         raise UnreadableFileError("cut off: its end mark (EOF) is missing; export or copy the file again")
 
 

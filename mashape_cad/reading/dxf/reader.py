@@ -38,7 +38,7 @@ def read_dxf(path: Path, options: ReadOptions) -> Part:
         *document.findings,
         unit_finding(unit),
         *unfolded.findings,
-        *_paper_space_findings(document.drawing),
+        *_layout_findings(document.drawing),
         *chained.findings,
         *frame_findings,
         *message_findings(messages),
@@ -75,8 +75,13 @@ def _frame_findings(chained: Sequence[ChainedLoop], frame: Nested | None) -> lis
     return [Finding("profile-frame", Severity.INFO, text, outer.handles[0], place)]
 
 
-def _paper_space_findings(drawing: Drawing) -> list[Finding]:
+def _layout_findings(drawing: Drawing) -> list[Finding]:
+    """Report what lies outside model space, and a model space without anything."""
+    findings = []
     count = sum(len(layout) for layout in drawing.layouts if layout.name != "Model")
-    if count == 0:
-        return []
-    return [Finding("entity-paper-space", Severity.INFO, f"{count} entities of paper space are not read", count=count)]
+    if count:
+        text = f"{count} entities of paper space are not read; only model space is"
+        findings.append(Finding("entity-paper-space", Severity.INFO, text, count=count))
+    if len(drawing.modelspace()) == 0:
+        findings.append(Finding("file-empty", Severity.LOST, "nothing is drawn in model space"))
+    return findings

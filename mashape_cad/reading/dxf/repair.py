@@ -11,8 +11,9 @@ AutoCAD DXF Reference, "Group Codes in Numerical Order", "Subclass Markers".
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 
-__all__ = ["with_decimal_points", "with_subclass_markers"]
+__all__ = ["Marked", "with_decimal_points", "with_subclass_markers"]
 
 Pair = tuple[bytes, bytes]
 
@@ -45,6 +46,8 @@ _MARKERS: dict[bytes, tuple[bytes, ...]] = {
 }
 # Of an arc, the angles belong to the class after that of the circle; else all attributes belong to the last class.
 _ANGLE_CODES = frozenset((b"50", b"51"))
+# Records that have no classes.
+_STRUCTURE = frozenset((b"SECTION", b"ENDSEC", b"TABLE", b"ENDTAB"))
 _OLDEST_WITH_MARKERS = b"AC1012"
 
 
@@ -71,25 +74,38 @@ def with_decimal_points(data: bytes) -> tuple[bytes, int]:
     return b"\n".join(lines) + b"\n", count
 
 
-def with_subclass_markers(data: bytes) -> tuple[bytes, int]:
+@dataclass(frozen=True, slots=True)
+class Marked:
+    """A DXF file with subclass markers.
+
+    Attributes
+    ----------
+    data : bytes
+    mended : int
+        How many records got markers.
+    left_out : int
+        How many were left out, since their classes are not known here.
+    """
+
+    data: bytes
+    mended: int
+    left_out: int
+
+
+def with_subclass_markers(data: bytes) -> Marked:
     """Add the subclass markers that entities of R13 and later need; sections that hold no geometry are left out.
 
     Parameters
     ----------
     data : bytes
         A text DXF file.
-
-    Returns
-    -------
-    data : bytes
-    count : int
-        How many entities were left out, since their classes are not known here.
     """
-    sections = [_mended(section) for section in _sections(_pairs(data))]
-    records = [record for section in sections for record in section]
-    kept = [record for record in records if record]
-    pairs = [*(pair for record in kept for pair in record), (b"0", b"EOF")]
-    return b"\n".join(line for pair in pairs for line in pair) + b"\n", len(records) - len(kept)
+    before = [record for section in _sections(_pairs(data)) for record in _with_geometry(section)]
+    after = [_marked(record) for record in before]
+    pairs = [*(pair for record in after for pair in record), (b"0", b"EOF")]
+    text = b"\n".join(line for pair in pairs for line in pair) + b"\n"
+    mended = sum(1 for old, new in zip(before, after, strict=True) if new and new != old)
+    return Marked(text, mended, sum(1 for record in after if not record))
 
 
 def _pairs(data: bytes) -> Iterator[Pair]:
@@ -114,26 +130,26 @@ def _records(pairs: Iterator[Pair]) -> Iterator[list[Pair]]:
 
 
 def _sections(pairs: Iterator[Pair]) -> Iterator[list[list[Pair]]]:
-    """Group records by sections, from SECTION to ENDSEC."""
+    """Group records by sections, from SECTION to ENDSEC; what stands between sections is left out."""
     section: list[list[Pair]] = []
     for record in _records(pairs):
+        if record[0] == (b"0", b"SECTION"):
+            section = []
         section.append(record)
-        if record[0][1] == b"ENDSEC":
+        if record[0] == (b"0", b"ENDSEC") and section[0][0] == (b"0", b"SECTION"):
             yield section
             section = []
 
 
-def _mended(section: list[list[Pair]]) -> list[list[Pair]]:
-    """Return a section with markers; a record that cannot have any is empty."""
+def _with_geometry(section: list[list[Pair]]) -> list[list[Pair]]:
+    """Return what matters of a section: variables, layers, blocks, entities."""
     start, *records, end = section
     name = next((value for code, value in start if code == b"2"), b"")
     if name == b"HEADER":
         return [_with_newer_version(start), end]
     if name == b"TABLES":
         return [start, *_layer_table(records), end]
-    if name in {b"BLOCKS", b"ENTITIES"}:
-        return [start, *map(_marked, records), end]
-    return []
+    return section if name in {b"BLOCKS", b"ENTITIES"} else []
 
 
 def _with_newer_version(header: list[Pair]) -> list[Pair]:
@@ -147,15 +163,15 @@ def _with_newer_version(header: list[Pair]) -> list[Pair]:
 
 def _layer_table(tables: list[list[Pair]]) -> list[list[Pair]]:
     """Keep only the table that says which layers are hidden."""
-    layers = [_marked(record) for record in tables if record[0][1] == b"LAYER"]
+    layers = [record for record in tables if record[0][1] == b"LAYER"]
     return [[(b"0", b"TABLE"), (b"2", b"LAYER")], *layers, [(b"0", b"ENDTAB")]]
 
 
 def _marked(record: list[Pair]) -> list[Pair]:
     """Sort the pairs of a record into its classes, each under its marker; empty if its classes are not known."""
-    if any(code == b"100" for code, _ in record):
-        return record
     kind = record[0][1]
+    if kind in _STRUCTURE or any(code == b"100" for code, _ in record):
+        return record
     if kind not in _MARKERS:
         return []
     base, *classes = _MARKERS[kind]

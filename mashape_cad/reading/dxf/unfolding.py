@@ -23,8 +23,8 @@ from mashape_cad.reading.dxf.tally import Tally, why_ignored
 
 __all__ = ["Unfolded", "unfold"]
 
-# Entities that one drawing may unfold to. Real ones stay below 20,000; ten times that takes half a minute to chain.
-_MOST_ENTITIES = 200_000
+# Entities that the blocks of one drawing may unfold to. Real ones stay below 5,000; this many take about a minute.
+_MOST_ENTITIES = 50_000
 # Direction cosines: see `curves`.
 _TILT = 1e-6
 # Determinant over square of the largest entry: a flatter image has no width.
