@@ -66,7 +66,11 @@ def test_readme_names_every_command():
 def test_readme_has_the_commands_that_are_checked():
     """What .ci/run tries is what README tells people to do."""
     checked = (REPOSITORY / ".ci" / "run").read_text(encoding="utf-8")
-    for command in ("mashape-cad scan samples", "mashape-cad search samples/airplane-4.dxf -k 7 -o search.png", "pytest -n 2"):
+    for command in (
+        "mashape-cad scan samples",
+        "mashape-cad search samples/airplane-4.dxf -k 7 -o search.png",
+        "pytest -n 2",
+    ):
         assert command in README
         assert command in checked
 
@@ -76,6 +80,13 @@ def test_links(document):
     """Every link between the documents leads to a file of the repository."""
     links = re.findall(r"\]\((?!https?:)([^)#]+)", document.read_text(encoding="utf-8"))
     assert [each for each in links if not (document.parent / each).exists()] == []
+
+
+def test_documents_cited_by_the_code():
+    """A docstring that sends its reader to a document names one that is there."""
+    texts = [path.read_text(encoding="utf-8") for path in REPOSITORY.glob("mashape_cad/**/*.py")]
+    cited = {each for text in texts for each in re.findall(r"docs/[\w/.-]+\.\w+", text)}
+    assert [each for each in sorted(cited) if not (REPOSITORY / each).exists()] == []
 
 
 def test_every_dependency_has_its_licence_stated():
