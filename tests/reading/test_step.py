@@ -1,4 +1,5 @@
 import csv
+import re
 
 import numpy as np
 import pytest
@@ -147,6 +148,22 @@ def test_a_spoiled_step_file_is_told_in_one_line(plate, capfd, how, told):
     assert "\n" not in str(caught.value)
     assert ";" in str(caught.value)
     assert capfd.readouterr() == ("", "")
+
+
+def test_stray_entities_do_not_matter(plate):
+    """Some programs write entities without parameters that nobody refers to."""
+    text = plate.read_text()
+    head, _, tail = text.rpartition("ENDSEC;")
+    plate.write_text(f"{head}#999998=BOUNDED_CURVE();\n#999999=B_SPLINE_CURVE();\nENDSEC;{tail}")
+    assert len(_read(plate).profiles) == 8
+
+
+def test_a_number_that_is_none_is_told(plate):
+    """The kernel would leave the faces out that need it."""
+    damaged = re.sub(r"CARTESIAN_POINT\('',\(30\.", "CARTESIAN_POINT('',(3x.", plate.read_text(), count=1)
+    plate.write_text(damaged)
+    with pytest.raises(UnreadableFileError, match="not a sound STEP file"):
+        _read(plate)
 
 
 @pytest.mark.parametrize("content", ["", "prose named .brep\n" * 50, "half"])
