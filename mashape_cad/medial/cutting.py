@@ -235,16 +235,17 @@ def _starts(tour: Tour, faces: Faces, face: Face, element: Ints, low: Floats, hi
     there is a second, false root farther away, which the middle of the gaps would find.)
     """
     middle = (low + high) / 2
-    r = float(np.mean([disc.r for disc in _corner_discs(faces, face) if disc.r > 0.0] or [0.0]))
+    radii = {disc.r for disc in _corner_discs(faces, face) if disc.r > 0.0}
     for i, j in ((0, 1), (1, 2)):
         if not (tour.convex[element[j]] and tour.after[element[i]] == element[j] and (high[i], low[j]) == (1.0, 0.0)):
             continue
         _, _, ax, ay, _, speed = site(tour, int(element[i]), 1.0)
         _, _, bx, by, _, next_speed = site(tour, int(element[j]), 0.0)
-        half = r * math.atan2(ax * by - ay * bx, ax * bx + ay * by) / 2
-        start = middle.copy()
-        start[i], start[j] = max(middle[i], 1.0 - half / speed), min(middle[j], half / next_speed)
-        yield start
+        half = math.atan2(ax * by - ay * bx, ax * bx + ay * by) / 2
+        for r in (factor * radius for factor in (1.0, 0.5, 0.25) for radius in sorted(radii)):
+            start = middle.copy()
+            start[i], start[j] = max(middle[i], 1.0 - r * half / speed), min(middle[j], r * half / next_speed)
+            yield start
     yield middle
 
 

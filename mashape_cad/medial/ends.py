@@ -32,6 +32,8 @@ _FULL_LOOP: Place = (-1, 0.0)
 # Radii and centres of arcs are rounded in files: an arc that fills a slot's end misses the slot's other wall by up to
 # this (sizes), and still touches it. What it misses by is recorded as the disc's tolerance.
 _ARC = 1e-8
+# A contact this close (sizes) to the end of an arc on the same circle belongs to that arc.
+_ARC_END = 1e-6
 # Coefficients this small against the largest one are rounding of products of up to eight factors.
 _NOISE = 1e-11
 _STRAIGHT = 1e-9  # a curvature below this (one over sizes) has no maximum that matters
@@ -76,8 +78,10 @@ def ends(tour: Tour) -> list[SettledDisc]:
     found = [disc for run in _arc_runs(tour) if (disc := _arc_disc(tour, run)) is not None]
     if any(disc.is_full for disc in found):
         return [disc for disc in found if disc.is_full]
-    settled = _merged_arcs(found)
-    settled += _corners(tour)
+    settled = _merged_arcs(tour, found)
+    # Where a rounded arc meets its neighbour at a kink, the arc's disc already fills that vertex.
+    filled = {place for disc in settled for contact in disc.contacts for place in contact}
+    settled += [disc for disc in _corners(tour) if disc.contacts[0][0] not in filled]
     covered = {e for disc in found for (e, _), _ in disc.contacts}
     for e, t in _curvature_candidates(tour):
         disc = _osculating_disc(tour, e, t)
@@ -159,7 +163,7 @@ def _apart(tour: Tour, a: tuple[int, float], b: tuple[int, float]) -> float:
     return float(np.hypot(ax - bx, ay - by))
 
 
-def _merged_arcs(discs: list[SettledDisc]) -> list[SettledDisc]:
+def _merged_arcs(tour: Tour, discs: list[SettledDisc]) -> list[SettledDisc]:
     """Join the discs of several arcs on one circle into one disc with all contacts."""
     merged: list[SettledDisc] = []
     for disc in discs:
@@ -168,8 +172,14 @@ def _merged_arcs(discs: list[SettledDisc]) -> list[SettledDisc]:
             merged.append(disc)
             continue
         other = merged[twin]
-        contacts = tuple(dict.fromkeys((*other.contacts, *disc.contacts)))
-        merged[twin] = SettledDisc(other.x, other.y, other.r, contacts, "arc", max(other.tol, disc.tol))
+        arcs = [contact for each in (other, disc) for contact in each.contacts if contact[0] != contact[1]]
+        # What touches one arc's disc at the end of another arc is that arc.
+        points = [
+            contact
+            for contact in other.contacts
+            if contact[0] == contact[1] and all(_apart(tour, contact[0], end) > _ARC_END for arc in arcs for end in arc)
+        ]
+        merged[twin] = SettledDisc(other.x, other.y, other.r, (*arcs, *points), "arc", max(other.tol, disc.tol))
     return merged
 
 

@@ -57,14 +57,9 @@ def junction_disc(
         for i in range(3):
             qx[i], qy[i], nx[i], ny[i], curvature[i], speed[i] = site(tour, element[i], t[i])
             rhs[i] = nx[i] * qx[i] + ny[i] * qy[i]
-        # Differences of the rows drop r: two equations in the centre.
-        a, b, c = nx[1] - nx[0], ny[1] - ny[0], rhs[1] - rhs[0]
-        d, e, f = nx[2] - nx[0], ny[2] - ny[0], rhs[2] - rhs[0]
-        det = a * e - b * d
-        if abs(det) < _PARALLEL:
+        solved, x, y, r = _solved(nx, ny, rhs)
+        if not solved:
             return False, 0.0, 0.0, 0.0, t
-        x, y = (c * e - b * f) / det, (a * f - c * d) / det
-        r = nx[0] * x + ny[0] * y - rhs[0]
         if not (0.0 < r < _WIDEST):
             return False, 0.0, 0.0, 0.0, t
         moved = 0.0
@@ -97,3 +92,40 @@ def junction_disc(
         if speed[i] > 0.0:
             residual = max(residual, abs(along) * min(1.0, abs(1.0 - curvature[i] * r) + 1e-3))
     return residual < _RESIDUAL, x, y, r, t
+
+
+@njit(cache=True)
+def _solved(nx: Floats, ny: Floats, rhs: Floats) -> tuple[bool, float, float, float]:
+    """Solve ``n_i . c - r = rhs_i`` by elimination with full pivoting.
+
+    Two of the normals may be almost parallel, at a vertex that turns by 1e-7: then the centre is not well determined
+    along the boundary, but with pivoting the three equations still hold to rounding, so the disc touches all three.
+    """
+    system = np.empty((3, 4))
+    for i in range(3):
+        system[i, 0], system[i, 1], system[i, 2], system[i, 3] = nx[i], ny[i], -1.0, rhs[i]
+    column = np.arange(3)
+    for k in range(3):
+        row, pick, largest = k, k, 0.0
+        for i in range(k, 3):
+            for j in range(k, 3):
+                if abs(system[i, j]) > largest:
+                    row, pick, largest = i, j, abs(system[i, j])
+        if largest < _PARALLEL:
+            return False, 0.0, 0.0, 0.0
+        for j in range(4):
+            system[k, j], system[row, j] = system[row, j], system[k, j]
+        for i in range(3):
+            system[i, k], system[i, pick] = system[i, pick], system[i, k]
+        column[k], column[pick] = column[pick], column[k]
+        for i in range(k + 1, 3):
+            factor = system[i, k] / system[k, k]
+            for j in range(k, 4):
+                system[i, j] -= factor * system[k, j]
+    solution = np.empty(3)
+    for k in range(2, -1, -1):
+        rest = system[k, 3]
+        for j in range(k + 1, 3):
+            rest -= system[k, j] * solution[column[j]]
+        solution[column[k]] = rest / system[k, k]
+    return True, solution[0], solution[1], solution[2]

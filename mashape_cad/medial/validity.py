@@ -48,7 +48,9 @@ def check_simple(tour: Tour, frame: Frame) -> None:
 def _polygon(tour: Tour, loop: int) -> Floats:
     """Points along a loop, in order."""
     places = [
-        (int(e), t) for e in np.flatnonzero((tour.loop == loop) & (tour.degree > 0)) for t in _steps(int(tour.degree[e]))
+        (int(e), t)
+        for e in np.flatnonzero((tour.loop == loop) & (tour.degree > 0))
+        for t in _steps(int(tour.degree[e]))
     ]
     return np.array([site(tour, e, t)[:2] for e, t in places])
 
