@@ -65,7 +65,7 @@ def _power(parts: Floats, radius: Floats) -> Floats:
     degree = parts.shape[1] - 1
     scaled = parts * comb(degree, np.arange(degree + 1))[:, None]
     other = scaled * np.stack([np.ones_like(radius), np.ones_like(radius), -(radius**2)], axis=1)[:, None]
-    products = np.einsum("nic,njc->nij", scaled, other)
+    products = scaled @ other.swapaxes(1, 2)
     power = np.zeros((len(parts), 2 * degree + 1))
     for i in range(degree + 1):
         power[:, i : i + degree + 1] += products[:, i]

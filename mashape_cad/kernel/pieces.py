@@ -63,11 +63,12 @@ class Piece:
         extrema.Perform(place)
         if not extrema.IsDone():
             return float(np.hypot(*(self.samples[0] - (place.X(), place.Y())))), 0.0
-        count = extrema.NbExt()
-        if count == 0:
-            return np.inf, 0.5
-        square, index = min((extrema.SquareDistance(index), index) for index in range(1, count + 1))
-        return square**0.5, extrema.Point(index).Parameter()
+        square, nearest = np.inf, 0
+        for index in range(1, extrema.NbExt() + 1):
+            found = extrema.SquareDistance(index)
+            if found < square:
+                square, nearest = found, index
+        return square**0.5, extrema.Point(nearest).Parameter() if nearest else 0.5
 
     def nearest_from(self, place: gp_Pnt2d, parameter: float) -> float:
         """Return the distance of the point that a local search from a parameter leads to, at most that of its start."""

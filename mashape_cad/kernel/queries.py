@@ -138,16 +138,17 @@ class DistanceQuery:
 
     def _ask(self, points: Floats, pairs: _Pairs, best: Floats) -> Floats:
         """Ask the kernel about each pair that can still matter, lowering `best`; return the points of contact."""
-        contact = np.full(len(pairs.row), 0.5)
+        contact = [0.5] * len(pairs.row)
         place, coordinates, known = gp_Pnt2d(), points.tolist(), best.tolist()
         rows, pieces, bounds = pairs.row.tolist(), pairs.piece.tolist(), pairs.below.tolist()
         for pair, (row, piece, bound) in enumerate(zip(rows, pieces, bounds, strict=True)):
             if bound <= known[row]:
                 place.SetCoord(*coordinates[row])
                 distance, contact[pair] = self._pieces[piece].nearest(place)
-                known[row] = min(known[row], distance)
+                if distance < known[row]:
+                    known[row] = distance
         best[:] = known
-        return contact
+        return np.array(contact)
 
     def _prove(self, points: Floats, pairs: _Pairs, contact: Floats, best: Floats) -> None:
         """Lower `best` until no piece of the pairs runs inside the discs with these radii."""
