@@ -149,13 +149,11 @@ def _sides(body: _Body) -> list[int]:
     return sides
 
 
-def _directions(normals: Floats) -> list[Floats]:
-    """Return the normals, parallel ones once."""
-    found: list[Floats] = []
-    for normal in normals:
-        if not found or np.abs(np.stack(found) @ normal).max() < _ACROSS:
-            found.append(normal)
-    return found
+def _directions(normals: Floats) -> Floats:
+    """Return the normals in their order, parallel ones mostly once: there may be thousands, with few directions."""
+    largest = np.take_along_axis(normals, np.abs(np.round(normals, 3)).argmax(axis=1)[:, None], axis=1)
+    _, first = np.unique(np.round(normals * np.sign(largest), 5) + 0.0, axis=0, return_index=True)
+    return normals[np.sort(first)]
 
 
 def _has_two_levels(levels: Floats) -> bool:

@@ -145,8 +145,7 @@ class DistanceQuery:
             if bound <= known[row]:
                 place.SetCoord(*coordinates[row])
                 distance, contact[pair] = self._pieces[piece].nearest(place)
-                if distance < known[row]:
-                    known[row] = distance
+                known[row] = min(known[row], distance)
         best[:] = known
         return np.array(contact)
 
