@@ -44,8 +44,8 @@ def search(
 ) -> int:
     """Rank the parts of scanned folders by how much their profiles resemble one of the file QUERY.
 
-    QUERY itself need not be scanned; if it is, it takes part and comes first, at distance 0. Each part is listed once: a
-    drawing by the nearest of its profiles, a solid by its first face.
+    QUERY itself need not be scanned; if it is, it takes part and comes first, at distance 0. Each part is listed once:
+    a drawing by the nearest of its profiles, a solid by its first face.
     """
     from mashape_cad.library.folders import check_file
     from mashape_cad.library.library import Library
