@@ -9,6 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from mashape_cad.geometry.edge import Edge, EllipseArc, Floats, Line
+from mashape_cad.medial.assembly import foot
 from mashape_cad.medial.branch import contact_before, discs_on_piece
 from mashape_cad.medial.graph import MedialAxis
 from mashape_cad.medial.tour import Ints, site
@@ -64,13 +65,14 @@ def stations(axis: MedialAxis, per_edge: int) -> Stations:
         rows = np.flatnonzero((contact == number) & ~on_arc)
         piece, side = int(axis.contacts.piece[number]), int(axis.contacts.side[number])
         radius[rows], distance[rows], tangent[rows] = _piece_values(axis, piece, side, t[rows])
-    run = np.where(on_arc, -1, _branch_of_piece(axis)[axis.contacts.piece[contact]])
+    branch = np.where(on_arc, -1, _branch_of_piece(axis)[axis.contacts.piece[contact]])
+    order, run = _runs(axis, branch, element)
     corners = axis.discs.radius[axis.nodes.disc[axis.nodes.radius == 0.0]]
     return Stations(
-        np.concatenate([radius, corners]),
-        np.concatenate([distance, corners]),
-        np.concatenate([tangent, np.full((len(corners), 2), np.nan)]),
-        np.concatenate([_runs(axis, run, element), -np.ones(len(corners), dtype=np.int64)]),
+        np.concatenate([radius[order], corners]),
+        np.concatenate([distance[order], corners]),
+        np.concatenate([tangent[order], np.full((len(corners), 2), np.nan)]),
+        np.concatenate([run, -np.ones(len(corners), dtype=np.int64)]),
     )
 
 
@@ -79,8 +81,10 @@ def _places(axis: MedialAxis, per_edge: int) -> tuple[Ints, Floats]:
     tour = axis.tour
     elements: list[Ints] = []
     parameters: list[Floats] = []
+    closed = {loop.edges[0]: index for index, loop in enumerate(axis.profile.loops) if len(loop.edges) == 1}
     for number, edge in enumerate(axis.profile.edges):
-        u = _equal_steps(edge, per_edge)
+        start = _largest_contact(axis, closed[edge]) if edge in closed else 0.0
+        u = np.sort(_equal_steps(edge, per_edge, start))
         spans = np.flatnonzero((tour.edge == number) & (tour.degree > 0))
         e = spans[np.clip(np.searchsorted(tour.edge_from[spans], u, side="right") - 1, 0, len(spans) - 1)]
         fraction = (u - tour.edge_from[e]) / (tour.edge_to[e] - tour.edge_from[e])
@@ -89,8 +93,28 @@ def _places(axis: MedialAxis, per_edge: int) -> tuple[Ints, Floats]:
     return np.concatenate(elements), np.concatenate(parameters)
 
 
-def _equal_steps(edge: Edge, count: int) -> Floats:
-    """Edge parameters at the middle of equal steps of arc length."""
+def _largest_contact(axis: MedialAxis, loop: int) -> float:
+    """Edge parameter at which the largest node's disc touches a loop that is one closed edge.
+
+    Where a full circle starts is an accident of its file: readers put it in a fixed direction, whichever way the part
+    is turned. So steps on it are counted from a place that belongs to the shape; 0 if the vertex there is a true one.
+    """
+    contacts, tour = axis.contacts, axis.tour
+    places = contacts.first[:, 0].astype(np.int64)
+    first = int(np.flatnonzero(tour.loop == loop)[0])
+    if tour.convex[first] or tour.degree[first] == 0:
+        return 0.0
+    mine = np.flatnonzero(
+        (tour.loop[np.minimum(places, len(tour.loop) - 1)] == loop) & (axis.discs.degree[contacts.disc] != 2)
+    )
+    if not len(mine):
+        return 0.0
+    largest = mine[np.argmax(np.round(axis.discs.radius[contacts.disc[mine]] / axis.frame.size, 9))]
+    return foot(axis.profile, tour, (int(places[largest]), float(contacts.first[largest, 1])))[1]
+
+
+def _equal_steps(edge: Edge, count: int, start: float = 0.0) -> Floats:
+    """Edge parameters at the middle of equal steps of arc length, counted from a parameter of a closed edge."""
     middles = (np.arange(count) + 0.5) / count
     if isinstance(edge, Line):
         return middles
@@ -99,8 +123,8 @@ def _equal_steps(edge: Edge, count: int) -> Floats:
     # Simpson's rule on each interval of the table.
     speed = np.linalg.norm(edge.derivatives(np.sort(np.concatenate([u, (u[1:] + u[:-1]) / 2])))[:, 1], axis=1)
     steps = np.diff(u) * (speed[:-1:2] + 4 * speed[1::2] + speed[2::2]) / 6
-    length = np.concatenate([[0.0], np.cumsum(steps)])
-    return np.interp(middles * length[-1], length, u)
+    length = np.concatenate([[0.0], np.cumsum(steps)]) / steps.sum()
+    return np.interp(np.mod(middles + np.interp(start, u, length), 1.0), length, u)
 
 
 def _bezier_parameter(edge: Edge, fraction: Floats, width: Floats) -> Floats:
@@ -135,12 +159,27 @@ def _branch_of_piece(axis: MedialAxis) -> Ints:
     return owner
 
 
-def _runs(axis: MedialAxis, branch: Ints, element: Ints) -> Ints:
-    """Return for each station the number of its run: consecutive stations on one branch and one loop."""
-    changed = np.ones(len(branch), dtype=bool)
+def _runs(axis: MedialAxis, branch: Ints, element: Ints) -> tuple[Ints, Ints]:
+    """Order stations so that no run is cut by the seam of its loop, and number the runs.
+
+    Returns
+    -------
+    order : (n,) array
+        The stations loop by loop, each loop from the start of a run.
+    run : (n,) array
+        Of the stations in that order: consecutive ones on one branch and one loop; -1 on no branch.
+    """
     loop = axis.tour.loop[element]
+    order = []
+    for number in np.unique(loop):
+        mine = np.flatnonzero(loop == number)
+        starts = np.flatnonzero(branch[mine] != np.roll(branch[mine], 1))
+        order.append(np.roll(mine, -starts[0]) if len(starts) else mine)
+    ordered = np.concatenate(order)
+    changed = np.ones(len(ordered), dtype=bool)
+    branch, loop = branch[ordered], loop[ordered]
     changed[1:] = (branch[1:] != branch[:-1]) | (loop[1:] != loop[:-1])
-    return np.where(branch < 0, -1, np.cumsum(changed) - 1)
+    return ordered, np.where(branch < 0, -1, np.cumsum(changed) - 1)
 
 
 def _piece_values(axis: MedialAxis, piece: int, side: int, t: Floats) -> tuple[Floats, Floats, Floats]:
