@@ -9,9 +9,9 @@ from numba import njit
 
 from mashape_cad.errors import InvalidProfileError
 from mashape_cad.geometry.edge import Floats
-from mashape_cad.medial.tour import Frame, Tour, site
+from mashape_cad.medial.tour import Frame, Ints, Tour, site
 
-__all__ = ["check_simple"]
+__all__ = ["check_simple", "first_contact"]
 
 # Spans that come this close touch (sizes of the shape): ten times what readers leave between joined ends.
 _TOUCH = 1e-9
@@ -20,6 +20,8 @@ _TOUCH = 1e-9
 _JOIN = 1e-6
 # Control legs shorter than the root of this (sizes of the shape) have no direction.
 _NO_LEG_SQ = 1e-24
+# Cuts before a pair counts as meeting: overlapping curves would be cut for ever, separate ones take some hundred.
+_CUTS = 100_000
 
 
 def check_simple(tour: Tour, frame: Frame) -> None:
@@ -30,14 +32,15 @@ def check_simple(tour: Tour, frame: Frame) -> None:
     InvalidProfileError
         With the kind ``crossing`` or ``hole-outside`` and the place, mm.
     """
-    crossed, x, y = first_contact(tour)
-    if crossed:
-        px, py = frame.middle + frame.size * np.array([x, y])
+    place = first_contact(tour)
+    if place is not None:
+        px, py = frame.middle + frame.size * np.array(place)
         text = f"the outline crosses or touches itself at ({px:.6g}, {py:.6g}); mend it in the drawing"
         raise InvalidProfileError("crossing", text, (float(px), float(py)))
     outer = _polygon(tour, 0)
     for loop in range(1, int(tour.loop.max()) + 1):
-        # Loops do not cross, so a hole lies inside if any of its points does; those near the outer loop may seem not to.
+        # Loops do not cross, so a hole lies inside if any of its points does; those near the outer loop may seem not
+        # to.
         points = _polygon(tour, loop)
         if not any(_winds_round(outer, float(x), float(y)) for x, y in points):
             px, py = points[0] * frame.size + frame.middle
@@ -66,59 +69,60 @@ def _winds_round(polygon: Floats, x: float, y: float) -> bool:
     return bool(round(turns) == 1)
 
 
-@njit(cache=True)
-def first_contact(tour: Tour) -> tuple[bool, float, float]:
-    """Find two spans that meet where they should not.
-
-    Returns
-    -------
-    found : bool
-    x, y : float
-        The place.
-    """
-    n = len(tour.degree)
-    order = np.argsort(tour.box[:, 0])
-    for i in range(n):
-        a = order[i]
-        if tour.degree[a] == 0:
-            continue
-        if tour.degree[a] > 1:
-            found, x, y = _self_contact(tour, a)
-            if found:
-                return True, x, y
-        for j in range(i + 1, n):
-            b = order[j]
-            if tour.box[b, 0] > tour.box[a, 2] + _TOUCH:
-                break
-            if (
-                tour.degree[b] == 0
-                or tour.box[b, 1] > tour.box[a, 3] + _TOUCH
-                or tour.box[a, 1] > tour.box[b, 3] + _TOUCH
-            ):
-                continue
-            a_end_b_start = _follows(tour, a, b)
-            b_end_a_start = _follows(tour, b, a)
-            found, x, y = _pair_contact(
-                tour.control[a], tour.degree[a], tour.control[b], tour.degree[b], a_end_b_start, b_end_a_start
-            )
-            if found:
-                return True, x, y
-    return False, 0.0, 0.0
+def first_contact(tour: Tour) -> tuple[float, float] | None:
+    """Return a place where two spans meet, or one meets itself, though they should not; None if there is none."""
+    spans = np.flatnonzero(tour.degree > 0)
+    for e in spans[tour.degree[spans] > 1]:
+        place = _self_contact(tour.control[e, : tour.degree[e] + 1])
+        if place is not None:
+            return place
+    for i, j in _near_pairs(tour.box[spans]):
+        a, b = int(spans[i]), int(spans[j])
+        p, q = tour.control[a, : tour.degree[a] + 1], tour.control[b, : tour.degree[b] + 1]
+        found, x, y = pair_contact(p, q, _follows(tour, a, b), _follows(tour, b, a))
+        if found:
+            return x, y
+    return None
 
 
-@njit(cache=True)
+def _near_pairs(box: Floats) -> Ints:
+    """Pairs of boxes that meet: (k, 2), each pair once."""
+    low, high = box[:, :2] - _TOUCH, box[:, 2:] + _TOUCH
+    meet = np.ones((len(box), len(box)), dtype=bool)
+    for axis in (0, 1):
+        meet &= low[:, None, axis] <= high[None, :, axis]
+        meet &= low[None, :, axis] <= high[:, None, axis]
+    return np.argwhere(np.triu(meet, 1))
+
+
 def _follows(tour: Tour, a: int, b: int) -> bool:
     """Whether span b starts where span a ends."""
-    c = tour.after[a]
-    if tour.degree[c] == 0:
-        c = tour.after[c]
-    return bool(c == b)
+    c = int(tour.after[a])
+    return b == (int(tour.after[c]) if tour.degree[c] == 0 else c)
+
+
+def _self_contact(control: Floats) -> tuple[float, float] | None:
+    """Return a place where one span crosses itself: a piece that turns less than 180 degrees cannot, others are cut."""
+    pieces = [control]
+    for _ in range(_CUTS):
+        if not pieces:
+            return None
+        piece = pieces.pop()
+        if _turning(piece) < np.pi:
+            continue
+        left, right = _split(piece)
+        found, x, y = pair_contact(left, right, True, False)
+        if found:
+            return x, y
+        pieces += [left, right]
+    return float(control[0, 0] / control[0, 2]), float(control[0, 1] / control[0, 2])
 
 
 @njit(cache=True)
-def _split(control: Floats, degree: int) -> tuple[Floats, Floats]:
+def _split(control: Floats) -> tuple[Floats, Floats]:
     """Cut a span in the middle."""
-    left, right = control[: degree + 1].copy(), control[: degree + 1].copy()
+    degree = len(control) - 1
+    left, right = control.copy(), control.copy()
     for k in range(degree + 1):
         left[k] = right[0]
         for i in range(degree - k):
@@ -128,12 +132,12 @@ def _split(control: Floats, degree: int) -> tuple[Floats, Floats]:
 
 
 @njit(cache=True)
-def _turning(control: Floats, degree: int) -> float:
+def _turning(control: Floats) -> float:
     """Bound on how far the tangent of a span turns: the sum of the angles between control legs."""
     total = 0.0
     px = py = 0.0
     seen = False
-    for i in range(degree):
+    for i in range(len(control) - 1):
         dx = control[i + 1, 0] / control[i + 1, 2] - control[i, 0] / control[i, 2]
         dy = control[i + 1, 1] / control[i + 1, 2] - control[i, 1] / control[i, 2]
         if dx * dx + dy * dy < _NO_LEG_SQ:
@@ -145,41 +149,23 @@ def _turning(control: Floats, degree: int) -> float:
 
 
 @njit(cache=True)
-def _self_contact(tour: Tour, e: int) -> tuple[bool, float, float]:
-    """Whether one span crosses itself: a piece that turns less than 180 degrees cannot; others are cut in two."""
-    degree = tour.degree[e]
-    stack = np.empty((64, degree + 1, 3))
-    stack[0] = tour.control[e, : degree + 1]
-    top = 1
-    for _ in range(4000):
-        if top == 0:
-            break
-        top -= 1
-        piece = stack[top].copy()
-        if _turning(piece, degree) < np.pi or top + 2 > 64:
-            continue
-        left, right = _split(piece, degree)
-        found, x, y = _pair_contact(left, degree, right, degree, True, False)
-        if found:
-            return True, x, y
-        stack[top], stack[top + 1] = left, right
-        top += 2
-    return False, 0.0, 0.0
+def pair_contact(first: Floats, second: Floats, head: bool, tail: bool) -> tuple[bool, float, float]:
+    """Whether two spans meet, other than where the first's end is the second's start (`head`), or the reverse.
 
-
-@njit(cache=True)
-def _pair_contact(
-    first: Floats, first_degree: int, second: Floats, second_degree: int, head: bool, tail: bool
-) -> tuple[bool, float, float]:
-    """Whether two spans meet, other than where the first's end is the second's start (`head`), or the reverse."""
+    Returns
+    -------
+    found : bool
+    x, y : float
+        The place. A pair that is not decided within the budget counts as meeting.
+    """
     size = 512
-    a = np.empty((size, first_degree + 1, 3))
-    b = np.empty((size, second_degree + 1, 3))
+    a = np.empty((size, len(first), 3))
+    b = np.empty((size, len(second), 3))
     flags = np.empty((size, 2), np.bool_)  # whether the pieces still share the common end of head, of tail
-    a[0], b[0] = first[: first_degree + 1], second[: second_degree + 1]
+    a[0], b[0] = first, second
     flags[0, 0], flags[0, 1] = head, tail
     top = 1
-    for _ in range(200000):
+    for _ in range(_CUTS):
         if top == 0:
             return False, 0.0, 0.0
         top -= 1
@@ -199,13 +185,13 @@ def _pair_contact(
         if max(p_size, q_size) < _TOUCH or top + 4 > size:
             return True, (px0 + px1) / 2, (py0 + py1) / 2
         if p_size >= q_size:
-            left, right = _split(p, first_degree)
+            left, right = _split(p)
             a[top], b[top] = left, q
             flags[top, 0], flags[top, 1] = False, at_tail
             a[top + 1], b[top + 1] = right, q
             flags[top + 1, 0], flags[top + 1, 1] = at_head, False
         else:
-            left, right = _split(q, second_degree)
+            left, right = _split(q)
             a[top], b[top] = p, left
             flags[top, 0], flags[top, 1] = at_head, False
             a[top + 1], b[top + 1] = p, right
