@@ -33,6 +33,8 @@ _SAME_EDGE = 1e-6
 _WIDER = 20.0
 # ...of whose area over length it is no more than this share: lines that run side by side are not meant to be joined.
 _SHARE_OF_WIDTH = 0.1
+# Chord over length of a curve that can be closed in itself.
+_BENT = 0.5
 # Of a loop's size: less width could not be told from a line. A strip of 1 mm to a kilometre has 1e-6.
 _NO_WIDTH = 1e-9
 
@@ -131,7 +133,7 @@ def _joined(graph: Drawing, gap_rel: float) -> Nodes:
     near = bridged_ends(same, graph.ends, graph.lengths, graph.noise, tolerance)
     far = bridged_ends(near, graph.ends, graph.lengths, tolerance, _WIDER * tolerance)
     joined = near.copy()
-    for steps in find_cycles(far).cycles:
+    for steps in _cycles(graph, far).cycles:
         members = [edge for edge, _ in steps]
         fit = _closed(graph, steps)[1]
         if fit.gaps.max() > tolerance and _is_short_beside_loop(fit):
@@ -146,13 +148,13 @@ def _is_short_beside_loop(fit: Closed) -> bool:
 
 def _untangled(graph: Drawing, nodes: Nodes) -> Cycles:
     """Find cycles; where several share edges, look at each layer alone."""
-    whole = find_cycles(nodes)
+    whole = _cycles(graph, nodes)
     cycles, dangling, tangles = list(whole.cycles), list(whole.dangling), []
     for tangle in whole.tangles:
         layers = defaultdict(list)
         for edge in tangle:
             layers[graph.strands[edge].layer].append(edge)
-        parts = [find_cycles(nodes, edges) for edges in layers.values()]
+        parts = [_cycles(graph, nodes, edges) for edges in layers.values()]
         if any(part.cycles for part in parts):
             cycles += [cycle for part in parts for cycle in part.cycles]
             dangling += [group for part in parts for group in part.dangling]
@@ -160,6 +162,16 @@ def _untangled(graph: Drawing, nodes: Nodes) -> Cycles:
         else:
             tangles.append(tangle)
     return Cycles(tuple(cycles), tuple(dangling), tuple(tangles))
+
+
+def _cycles(graph: Drawing, nodes: Nodes, edges: list[int] | None = None) -> Cycles:
+    """Find cycles; an edge hardly longer than rounding, with both ends at one node, is none."""
+    found = find_cycles(nodes, edges)
+    chords = np.linalg.norm(graph.ends[:, 1] - graph.ends[:, 0], axis=1)
+    bent = chords <= _BENT * graph.lengths
+    sound = tuple(steps for steps in found.cycles if len(steps) > 1 or bent[steps[0][0]])
+    points = tuple((steps[0][0],) for steps in found.cycles if len(steps) == 1 and not bent[steps[0][0]])
+    return Cycles(sound, (*found.dangling, *points), found.tangles)
 
 
 def _closed(drawing: Drawing, steps: Sequence[Step]) -> tuple[ChainedLoop, Closed]:

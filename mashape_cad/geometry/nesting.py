@@ -146,7 +146,7 @@ def _inside(places: Floats, line: Floats) -> NDArray[np.bool_]:
     first, second = line, np.roll(line, -1, axis=0)
     x, y = places[:, :1], places[:, 1:]
     spans = (first[:, 1] > y) != (second[:, 1] > y)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # on sides that the mask leaves out
         crossing = first[:, 0] + (y - first[:, 1]) / (second[:, 1] - first[:, 1]) * (second[:, 0] - first[:, 0])
     return np.count_nonzero(spans & (x < crossing), axis=1) % 2 == 1
 

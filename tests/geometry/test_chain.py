@@ -197,3 +197,19 @@ def test_a_drawing_far_from_the_origin_joins_what_its_digits_can_tell():
     loose = [strand.edge for strand in polyline(corners)]
     loose[0] = Line.of(corners[0] + (0, 0.002), corners[1])
     assert len(chain(strands(*loose), 1e-9).loops) == 1
+
+
+def test_an_edge_that_rounding_closes_is_no_loop():
+    """Three points in a row, each within rounding of the next: the line between the outer ones has no inside."""
+    step = 0.9e-9 * 100
+    chained = chain(
+        strands(
+            Line.of((0, 0), (2 * step, 0)),
+            Line.of((step, 0), (60, 80)),
+            Line.of((60, 80), (0, 80)),
+            Line.of((0, 80), (-9, 40)),
+        ),
+        1e-4,
+    )
+    assert chained.loops == ()
+    assert set(codes(chained)) == {"chain-open"}

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 from ezdxf.entities.dxfentity import DXFEntity
+from ezdxf.lldxf.const import DXFError
 from ezdxf.math import fit_points_to_cad_cv
 from numpy.typing import ArrayLike
 from scipy.interpolate import make_interp_spline
@@ -74,8 +75,9 @@ def entity_edges(entity: DXFEntity) -> Drawn:
         If it is tilted, has no extent, or its numbers make no curve.
     """
     try:
-        return _READERS[entity.dxftype()](entity)
-    except (ValueError, TypeError, ZeroDivisionError, ArithmeticError) as error:
+        with np.errstate(divide="raise", invalid="raise", over="raise"):
+            return _READERS[entity.dxftype()](entity)
+    except (DXFError, ValueError, TypeError, ArithmeticError) as error:
         raise UnusableEntityError("entity-invalid", f"its numbers make no curve ({error})") from error
 
 

@@ -46,7 +46,7 @@ def load_document(path: Path) -> Document:
     OSError
         If the file cannot be opened.
     """
-    drawing, trouble = _attempt(lambda: readfile(path))
+    drawing, trouble = _attempt(lambda: _with_model_space(readfile(path)))
     if drawing is not None:
         return Document(drawing, ())
     data = path.read_bytes()
@@ -92,16 +92,27 @@ def _recovered(data: bytes, trouble: str) -> Document:
     if is_text:
         data, commas = with_decimal_points(data)
         findings += _comma_finding(commas)
-    result, _ = _attempt(lambda: recover.read(BytesIO(data)))
+    result, _ = _attempt(lambda: _recover(data))
     if result is None and is_text:
         marked = with_subclass_markers(data)
-        if marked.mended:
-            result, _ = _attempt(lambda: recover.read(BytesIO(marked.data)))
+        if marked.mended or marked.is_newer:
+            result, _ = _attempt(lambda: _recover(marked.data))
             findings += _marker_findings(marked)
     if result is None:
         raise UnreadableFileError(f"not a sound DXF file: {trouble}; open it in a CAD program and save it again")
     drawing, auditor = result
     return Document(drawing, (*findings, *_audit_findings(auditor)))
+
+
+def _recover(data: bytes) -> tuple[Drawing, Auditor]:
+    drawing, auditor = recover.read(BytesIO(data))
+    return _with_model_space(drawing), auditor
+
+
+def _with_model_space(drawing: Drawing) -> Drawing:
+    """Pass a drawing on, or raise if it has lost its model space."""
+    drawing.modelspace()
+    return drawing
 
 
 def _comma_finding(commas: int) -> list[Finding]:
@@ -112,8 +123,13 @@ def _comma_finding(commas: int) -> list[Finding]:
 
 
 def _marker_findings(marked: Marked) -> list[Finding]:
-    text = f"{marked.mended} subclass markers were missing and have been added"
-    findings = [Finding("file-subclass-markers", Severity.REPAIRED, text, count=marked.mended)]
+    findings = []
+    if marked.mended:
+        text = f"{marked.mended} entities had no subclass markers, which have been added"
+        findings.append(Finding("file-subclass-markers", Severity.REPAIRED, text, count=marked.mended))
+    if marked.is_newer:
+        text = "its entities are newer than the version in its header ($ACADVER), which was not believed"
+        findings.append(Finding("file-version", Severity.REPAIRED, text))
     if marked.left_out:
         text = f"{marked.left_out} entities without subclass markers, of kinds that are not repaired"
         findings.append(Finding("entity-unsupported", Severity.LOST, text, count=marked.left_out))

@@ -85,11 +85,14 @@ class Marked:
         How many records got markers.
     left_out : int
         How many were left out, since their classes are not known here.
+    is_newer : bool
+        Whether the header now names a version that has markers, and did not before.
     """
 
     data: bytes
     mended: int
     left_out: int
+    is_newer: bool = False
 
 
 def with_subclass_markers(data: bytes) -> Marked:
@@ -101,11 +104,15 @@ def with_subclass_markers(data: bytes) -> Marked:
         A text DXF file.
     """
     before = [record for section in _sections(_pairs(data)) for record in _with_geometry(section)]
-    after = [_marked(record) for record in before]
+    after = [_marked(_with_newer_version(record)) for record in before]
     pairs = [*(pair for record in after for pair in record), (b"0", b"EOF")]
     text = b"\n".join(line for pair in pairs for line in pair) + b"\n"
-    mended = sum(1 for old, new in zip(before, after, strict=True) if new and new != old)
-    return Marked(text, mended, sum(1 for record in after if not record))
+    return Marked(
+        data=text,
+        mended=sum(1 for old, new in zip(before, after, strict=True) if len(new) > len(old)),
+        left_out=sum(1 for record in after if not record),
+        is_newer=any(_with_newer_version(record) != record for record in before),
+    )
 
 
 def _pairs(data: bytes) -> Iterator[Pair]:
@@ -145,19 +152,17 @@ def _with_geometry(section: list[list[Pair]]) -> list[list[Pair]]:
     """Return what matters of a section: variables, layers, blocks, entities."""
     start, *records, end = section
     name = next((value for code, value in start if code == b"2"), b"")
-    if name == b"HEADER":
-        return [_with_newer_version(start), end]
     if name == b"TABLES":
         return [start, *_layer_table(records), end]
-    return section if name in {b"BLOCKS", b"ENTITIES"} else []
+    return section if name in {b"HEADER", b"BLOCKS", b"ENTITIES"} else []
 
 
-def _with_newer_version(header: list[Pair]) -> list[Pair]:
-    """Let a version that has markers stand in the header."""
-    before = [(b"", b""), *header]
+def _with_newer_version(record: list[Pair]) -> list[Pair]:
+    """Let a version that has markers stand in the header, if this is the header."""
+    before = [(b"", b""), *record]
     return [
         (code, max(value, _OLDEST_WITH_MARKERS)) if name == (b"9", b"$ACADVER") else (code, value)
-        for name, (code, value) in zip(before, header, strict=False)
+        for name, (code, value) in zip(before, record, strict=False)
     ]
 
 

@@ -7,11 +7,13 @@ it unfolds to is counted before it is unfolded: a few nested blocks can stand fo
 from collections.abc import Iterable
 from dataclasses import dataclass
 from math import inf
+from typing import Any
 
 import numpy as np
 from ezdxf.document import Drawing
 from ezdxf.entities.dxfentity import DXFEntity
 from ezdxf.entities.insert import Insert
+from ezdxf.lldxf.const import DXFError
 from ezdxf.xclip import XClip
 
 from mashape_cad.findings import Finding, Severity
@@ -25,8 +27,9 @@ __all__ = ["Unfolded", "unfold"]
 
 # Entities that the blocks of one drawing may unfold to. Real ones stay below 5,000; this many take about a minute.
 _MOST_ENTITIES = 50_000
-# Direction cosines: see `curves`.
+# Direction cosines, and coordinates: see `curves`.
 _TILT = 1e-6
+_FARTHEST = 1e15
 # Determinant over square of the largest entry: a flatter image has no width.
 _FLAT = 1e-9
 # Of the drawing's size: heights that differ by less are the same.
@@ -73,19 +76,8 @@ class _Place:
     def within(self, single: Insert, insert: Insert, layer: str) -> "_Place":
         """Return the place of a block that is referred to from here; `single` is one of an array's references."""
         inner = np.array(list(single.matrix44()), float).reshape(4, 4)
-        return _Place(inner @ self.matrix, (*self.handles, str(insert.dxf.handle)), layer)
-
-    def problem(self) -> tuple[str, str] | None:
-        """Return code and reason if the block does not lie flat here."""
-        plane, tilt = self.matrix[:2, :2], self.matrix[:2, 2]
-        size = np.abs(plane).max()
-        if not np.all(np.isfinite(self.matrix)):
-            return "entity-invalid", "its place is not a number"
-        if np.abs(tilt).max() > _TILT * size:
-            return "entity-tilted", "it does not lie flat in the xy plane"
-        if abs(np.linalg.det(plane)) <= _FLAT * size**2:
-            return "entity-degenerate", "it is scaled to nothing"
-        return None
+        _check_flat(matrix := inner @ self.matrix)
+        return _Place(matrix, (*self.handles, str(insert.dxf.handle)), layer)
 
     def image(self, drawn: Drawn) -> Drawn:
         """Move what was drawn."""
@@ -93,6 +85,32 @@ class _Place:
         edges = tuple(affine_image(edge, plane, offset) for edge in drawn.edges)
         heights = sorted(self.matrix[2, 2] * height + self.matrix[3, 2] for height in (drawn.low, drawn.high))
         return Drawn(edges, *heights)
+
+
+def _singles(insert: Insert) -> list[Insert]:
+    """Return the references of an array one by one."""
+    try:
+        return list(insert.multi_insert())
+    except (DXFError, ValueError, TypeError, ArithmeticError) as error:
+        raise UnusableEntityError("entity-invalid", f"its numbers make no place ({error})") from error
+
+
+def _check_flat(matrix: Floats) -> None:
+    """See that a block placed by a matrix lies flat and has an extent.
+
+    Raises
+    ------
+    UnusableEntityError
+        If not.
+    """
+    plane, tilt = matrix[:2, :2], matrix[:2, 2]
+    size = np.abs(plane).max()
+    if not np.all(np.isfinite(matrix)) or np.abs(matrix).max() > _FARTHEST:
+        raise UnusableEntityError("entity-invalid", "its place is not a number or beyond all measure")
+    if np.abs(tilt).max() > _TILT * size:
+        raise UnusableEntityError("entity-tilted", "it does not lie flat in the xy plane")
+    if abs(np.linalg.det(plane)) <= _FLAT * size**2:
+        raise UnusableEntityError("entity-degenerate", "it is scaled to nothing")
 
 
 class _Walk:
@@ -154,19 +172,19 @@ class _Walk:
         if insert.has_extension_dict and XClip(insert).has_clipping_path:
             reason_clipped = "shown clipped, read whole"
             self._leave_out(insert, place, "entity-clipped", reason_clipped, severity=Severity.INFO)
-        block = insert.block()
-        for single in insert.multi_insert():
-            inner = place.within(single, insert, layer)
-            problem = inner.problem()
-            if problem is not None:
-                self._leave_out(insert, place, *problem)
-            elif block is not None:
-                self.entities(block, inner)
+        try:
+            places = [place.within(single, insert, layer) for single in _singles(insert)]
+        except UnusableEntityError as error:
+            self._leave_out(insert, place, error.code, str(error))
+            return
+        for inner in places:
+            self.entities(insert.block() or (), inner)
 
     def _why_not_unfolded(self, insert: Insert) -> tuple[str, str] | None:
-        block = insert.block()
+        name = _attribute(insert, "name", None)
+        block = insert.block() if name else None
         if block is None:
-            return "entity-missing-block", f"refers to block {insert.dxf.name!r}, which is not in the file"
+            return "entity-missing-block", f"refers to block {name!r}, which is not in the file"
         if block.block is not None and (block.block.is_xref or block.block.is_xref_overlay):
             return (
                 "entity-xref",
@@ -182,21 +200,21 @@ class _Walk:
 
     def _size(self, insert: Insert) -> float:
         """Count what a reference unfolds to, infinite where a block contains itself."""
-        name = insert.dxf.name.casefold()
+        name = str(_attribute(insert, "name", "")).casefold()
         if name not in self._sizes:
             self._sizes[name] = inf  # as long as its own count is under way
-            block = insert.block()
+            block = insert.block() if name else None
             inner = () if block is None else block
             self._sizes[name] = 1 + sum(self._size(one) if isinstance(one, Insert) else 1 for one in inner)
         return self._sizes[name] * max(1, insert.dxf.row_count) * max(1, insert.dxf.column_count)
 
     def _layer(self, entity: DXFEntity, place: _Place) -> str:
         """Return the layer that counts: in a block, layer 0 stands for the layer of the reference."""
-        layer = str(entity.dxf.get("layer", "0"))
+        layer = str(_attribute(entity, "layer", "0"))
         return place.layer if layer == "0" else layer
 
     def _why_hidden(self, entity: DXFEntity, layer: str) -> str | None:
-        if entity.dxf.get("invisible", 0):
+        if _attribute(entity, "invisible", 0):
             return "marked as invisible"
         if layer not in self._hidden_layers:
             self._hidden_layers[layer] = self._why_layer_hidden(layer)
@@ -227,3 +245,8 @@ class _Walk:
         slanted = int(np.count_nonzero(levels[:, 1] - levels[:, 0] > _LEVEL * size))
         text = f"heights (z) from {low:.4g} to {high:.4g} mm, projected to the xy plane; {slanted} curves are not level"
         return [Finding("entity-height", Severity.REPAIRED if slanted else Severity.INFO, text, count=max(1, slanted))]
+
+
+def _attribute(entity: DXFEntity, name: str, default: Any) -> Any:
+    """Return an attribute of an entity of any kind, also of one that ezdxf does not know."""
+    return entity.dxf.get(name, default) if entity.dxf.is_supported(name) else default

@@ -1,6 +1,8 @@
 import ezdxf
 import pytest
 from drawings import codes, write_drawing
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from mashape_cad.errors import UnreadableFileError
 from mashape_cad.options import ReadOptions
@@ -102,3 +104,47 @@ def test_nothing_reaches_the_terminal(tmp_path, capfd):
     part = spoilt(tmp_path / "p.dxf", with_handle_twice)
     assert capfd.readouterr() == ("", "")
     assert "file-warning" in codes(part)
+
+
+def everything(space):
+    """Draw one of each kind that is read, and a nested reference."""
+    polygon(space)
+    space.add_circle((4, 2), 1)
+    space.add_arc((20, 0), 2, 0, 180)
+    space.add_ellipse((30, 0), (3, 1), 0.5)
+    space.add_lwpolyline([(40, 0, 0.5), (44, 0, 0), (44, 3, -1)], format="xyb", close=True)
+    space.add_polyline2d([(50, 0), (54, 0), (54, 3)], close=True)
+    space.add_open_spline([(60, 0), (61, 3), (64, 2), (66, 0)])
+    space.add_spline([(70, 0), (71, 3), (74, 2), (76, 0)])
+    space.doc.blocks.new("IN").add_circle((0, 0), 1)
+    space.doc.blocks.new("OUT").add_blockref("IN", (1, 1), dxfattribs={"xscale": 2})
+    space.add_blockref("OUT", (80, 0), dxfattribs={"row_count": 2, "row_spacing": 5})
+    space.add_text("A")
+
+
+@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(
+    st.lists(
+        st.tuples(
+            st.floats(0, 1), st.sampled_from(["drop", "drop pair", "double", "0", "-5", "nan", "1e400", "abc", ""])
+        ),
+        min_size=1,
+        max_size=5,
+    )
+)
+def test_damage_of_any_kind_gives_a_part_or_one_clear_line(tmp_path, damages):
+    """Lines of the file's geometry lost, doubled, or replaced by nonsense: never a traceback."""
+    path = tmp_path / "damaged.dxf"
+    if not (tmp_path / "sound.dxf").exists():
+        write_drawing(tmp_path / "sound.dxf", everything, version="R2000")
+    lines = (tmp_path / "sound.dxf").read_text().splitlines()
+    first = lines.index("BLOCKS")
+    for place, damage in damages:
+        at = first + int(place * (lines.index("OBJECTS") - first - 1)) if "OBJECTS" in lines else first
+        replacement = {"drop": [], "drop pair": [], "double": lines[at : at + 1] * 2}.get(damage, [damage])
+        lines[at : at + 1 + (damage == "drop pair")] = replacement
+    path.write_text("\n".join(lines) + "\n")
+    try:
+        read_dxf(path, ReadOptions())
+    except UnreadableFileError as error:
+        assert "\n" not in str(error)  # noqa: PT017

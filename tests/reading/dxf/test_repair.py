@@ -47,7 +47,9 @@ def test_the_version_is_raised_and_sections_without_geometry_are_left_out():
     layer = [(0, "LAYER"), (2, "OLD"), (70, 1), (62, -7)]
     tables = [(0, "SECTION"), (2, "TABLES"), (0, "TABLE"), (2, "LAYER"), (70, 1), *layer, (0, "ENDTAB"), (0, "ENDSEC")]
     objects = [(0, "SECTION"), (2, "OBJECTS"), (0, "XRECORD"), (0, "ENDSEC")]
-    repaired = with_subclass_markers(text((999, "made by hand"), *header, *tables, *objects, *ENTITIES, *END)).data
+    found = with_subclass_markers(text((999, "made by hand"), *header, *tables, *objects, *ENTITIES, *END))
+    repaired = found.data
+    assert found.is_newer
     assert b"AC1009" not in repaired
     assert b"AC1012" in repaired
     assert b"$INSUNITS" in repaired

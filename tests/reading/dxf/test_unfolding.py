@@ -3,7 +3,10 @@ import time
 
 import numpy as np
 import pytest
-from drawings import codes, drawn, kinds
+from drawings import codes, drawn, kinds, write_drawing
+
+from mashape_cad.options import ReadOptions
+from mashape_cad.reading.dxf import read_dxf
 
 
 def block(space, name="B", base=(0, 0)):
@@ -215,3 +218,12 @@ def test_heights_are_reported_only_where_they_differ(tmp_path):
     assert codes(drawn(tmp_path, draw)) == []
     two = drawn(tmp_path, lambda space: (space.add_circle((0, 0, 5), 3), space.add_circle((9, 0, 6), 3)))
     assert codes(two) == ["entity-height"]
+
+
+def test_a_kind_of_entity_that_nobody_knows_is_reported(tmp_path):
+    """It has no attributes that could be asked for, not even a layer."""
+    path = write_drawing(tmp_path / "p.dxf", lambda space: (space.add_circle((0, 0), 1), space.add_point((5, 5))))
+    path.write_text(path.read_text().replace("\nPOINT\n", "\nNOVELTY\n"))
+    part = read_dxf(path, ReadOptions())
+    assert codes(part) == ["entity-unsupported"]
+    assert len(part.profiles) == 1
