@@ -14,7 +14,8 @@ import numpy as np
 
 from mashape_cad.errors import AxisError
 from mashape_cad.geometry.edge import Floats
-from mashape_cad.medial.disc import EMPTY, TOUCH, maximal_disc, nearest_on_stretch, same_place, touching
+from mashape_cad.medial.disc import maximal_disc
+from mashape_cad.medial.emptiness import EMPTY, TOUCH, nearest_on_stretch, same_place, touching
 from mashape_cad.medial.ends import Place, SettledDisc, ends, one_contact
 from mashape_cad.medial.faces import Face, Faces
 from mashape_cad.medial.junction import junction_disc

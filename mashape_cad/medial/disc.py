@@ -1,12 +1,12 @@
-"""The maximal disc at one boundary place, and whether a disc is empty.
+"""The maximal disc at one boundary place.
 
 The disc through the place p (inward normal n) and another boundary point q has radius
 
     f(p, q) = |q - p|^2 / (2 n.(q - p));
 
 the maximal disc at p has the smallest of them all, at most the radius of curvature at p. Its other contact, the *twin*,
-is found by descending f from the best of some samples; then every span near the disc is asked, by bounds on a
-polynomial, whether it enters it. One that does gives a better start; when none does the disc is maximal.
+is found by descending f from the best of some samples; then every span near the disc is asked whether it enters it
+(`emptiness`). One that does gives a better start; when none does the disc is maximal.
 
 References
 ----------
@@ -20,398 +20,26 @@ import numpy as np
 from numba import njit
 
 from mashape_cad.geometry.edge import Floats
-from mashape_cad.medial.bezier import evaluate, halves, power_distance
+from mashape_cad.medial.bezier import evaluate
+from mashape_cad.medial.emptiness import (
+    EMPTY,
+    TOUCH,
+    cone_turn,
+    distance_minima,
+    normal_form,
+    same_place,
+    touching,
+)
 from mashape_cad.medial.tour import Ints, Tour, site
 
-__all__ = [
-    "EMPTY",
-    "TOUCH",
-    "cone_turn",
-    "distance_minima",
-    "maximal_disc",
-    "nearest_on_stretch",
-    "same_place",
-    "touching",
-    "twin_on_stretch",
-]
+__all__ = ["maximal_disc", "twin_on_stretch"]
 
-# A disc is empty when no boundary point lies deeper inside than this (sizes of the shape). Looser is wrong: near an
-# osculating contact the boundary enters by a cube law, and 1e-10 would let discs through that miss a short branch.
-EMPTY = 1e-13
-# A boundary point this close to the circle touches it: one more contact of a junction.
-TOUCH = 1e-11
-# Two contacts closer than this, absolutely or times the radius, cannot be told apart: a disc of curvature radius r
-# leaves the boundary by s^2 / r only, so feet are known to about the root of the distance's rounding.
-_SAME_ABSOLUTE, _SAME_RELATIVE = 3e-9, 3e-6
-_SNAP = 1e-9  # parameters this close to a border are the border
 _TINY = 1e-300  # a height below this counts as none: a quotient by it would overflow
 _STRAIGHT = 1e-9  # a curvature below this bounds no disc; _WIDEST does
 _WIDEST = 4.0  # radius that no disc inside a shape of size 1 has
-_SAME_CIRCLE = 1e-8  # arcs whose centres and radii agree this well lie on one circle
 # Steps of the descent: below the first f is flat to rounding and G alone tells whether a step helps; below the second
 # the parameter has settled; the third is the spacing of numbers near 1.
 _FLAT_STEP, _SETTLED_STEP, _RESOLUTION = 1e-6, 1e-15, 1e-16
-# Minima on a span: a stretch this short is not halved any more, a minimum this near to its end is looked for beyond it
-# too, and two this close are one.
-_SHORTEST, _NEAR_END, _SAME_MINIMUM = 1e-6, 1e-12, 1e-7
-_MAX_STACK = 256
-_MAX_FOUND = 512
-
-
-@njit(cache=True)
-def _radius(px: float, py: float, nx: float, ny: float, qx: float, qy: float) -> float:
-    """Radius of the disc that touches p along n and passes through q; infinite if q lies behind p."""
-    dx, dy = qx - px, qy - py
-    height = nx * dx + ny * dy
-    if height <= _TINY:
-        return math.inf
-    return (dx * dx + dy * dy) / (2.0 * height)
-
-
-@njit(cache=True)
-def _descent(
-    tour: Tour, px: float, py: float, nx: float, ny: float, e: int, t: float
-) -> tuple[float, float, float, float, float]:
-    """Return f(p, q), its slope's sign function G = q'.(q - c), an estimate of G', and the speed at q = (e, t)."""
-    qx, qy, tx, ty, sx, sy = evaluate(tour.control[e], tour.degree[e], t)
-    f = _radius(px, py, nx, ny, qx, qy)
-    if f == math.inf:
-        return f, 0.0, 1.0, 1.0, 0.0
-    cx, cy = px + f * nx, py + f * ny
-    g = tx * (qx - cx) + ty * (qy - cy)
-    height = nx * (qx - px) + ny * (qy - py)
-    slope = tx * tx + ty * ty + sx * (qx - cx) + sy * (qy - cy) - g / height * (nx * tx + ny * ty)
-    return f, g, slope, math.hypot(tx, ty), height
-
-
-@njit(cache=True)
-def cone_turn(tour: Tour, e: int, cx: float, cy: float) -> float:
-    """Parameter on a cone of the direction from its vertex to a centre; outside [0, 1] if not in the cone."""
-    angle = math.atan2(cy - tour.control[e, 0, 1], cx - tour.control[e, 0, 0]) - tour.cone[e, 0]
-    middle = tour.cone[e, 1] / 2
-    turned = angle - middle
-    angle = middle + turned - 2 * math.pi * math.floor(turned / (2 * math.pi) + 0.5)
-    return angle / tour.cone[e, 1]
-
-
-@njit(cache=True)
-def _neighbour(
-    tour: Tour, px: float, py: float, nx: float, ny: float, e: int, forward: bool
-) -> tuple[bool, int, float]:
-    """Step over the end of a span while f still falls there.
-
-    Returns
-    -------
-    moved : bool
-        Whether the descent goes on, on the span returned; if not, the place returned is the minimum.
-    """
-    other = tour.after[e] if forward else tour.before[e]
-    cone = -1
-    if tour.degree[other] == 0:
-        cone = other
-        other = tour.after[other] if forward else tour.before[other]
-    start = 0.0 if forward else 1.0
-    f, g, _, _, _ = _descent(tour, px, py, nx, ny, other, start)
-    if f < math.inf and (g < 0.0 if forward else g > 0.0):
-        return True, other, start
-    if cone >= 0:
-        s = cone_turn(tour, cone, px + f * nx, py + f * ny)
-        return False, cone, min(max(s, 0.0), 1.0)
-    return False, e, 1.0 if forward else 0.0
-
-
-@njit(cache=True)
-def _polish(tour: Tour, px: float, py: float, nx: float, ny: float, e: int, t: float) -> tuple[float, int, float]:
-    """Descend f(p, q) from q = (e, t) to a local minimum; Newton on G, halved while f does not fall."""
-    if tour.degree[e] == 0:
-        other = tour.after[e]
-        f, g, _, _, _ = _descent(tour, px, py, nx, ny, other, 0.0)
-        if f < math.inf and g < 0.0:
-            e, t = other, 0.0
-        else:
-            e, t = tour.before[e], 1.0
-    f, g, slope, speed, _ = _descent(tour, px, py, nx, ny, e, t)
-    for k in range(200):
-        if f == math.inf:
-            break
-        if (t == 0.0 and g > 0.0) or (t == 1.0 and g < 0.0):
-            moved, e, t = _neighbour(tour, px, py, nx, ny, e, t == 1.0)
-            if not moved:
-                return f, e, t
-            f, g, slope, speed, _ = _descent(tour, px, py, nx, ny, e, t)
-            continue
-        # Where G does not rise f is not convex: a small fixed step downhill leaves such stretches.
-        step = -g / slope if slope > 1e-6 * speed * speed else -math.copysign(0.05, g)
-        bound = 0.3 * 0.97**k
-        step = min(max(step, -bound), bound)
-        accepted = False
-        s, f_new, g_new, slope_new, speed_new = t, f, g, slope, speed
-        for _ in range(40):
-            s = min(max(t + step, 0.0), 1.0)
-            f_new, g_new, slope_new, speed_new, _ = _descent(tour, px, py, nx, ny, e, s)
-            if f_new <= f or (abs(step) < _FLAT_STEP and abs(g_new) < abs(g)):
-                accepted = True
-                break
-            step /= 2
-        if not accepted:
-            break
-        done = abs(s - t) < _SETTLED_STEP
-        t, f, g, slope, speed = s, f_new, g_new, slope_new, speed_new
-        if done and 0.0 < t < 1.0:
-            break
-        if done and g == 0.0:
-            break
-    return f, e, t
-
-
-@njit(cache=True)
-def _span_minimum(tour: Tour, e: int, low: float, high: float, cx: float, cy: float) -> float:
-    """Parameter of the smallest distance to c on [low, high], where the distance has one minimum: safe Newton."""
-    t = (low + high) / 2
-    a, b = low, high
-    for _ in range(60):
-        x, y, dx, dy, ddx, ddy = evaluate(tour.control[e], tour.degree[e], t)
-        g = dx * (x - cx) + dy * (y - cy)
-        if g > 0:
-            b = t
-        else:
-            a = t
-        slope = dx * dx + dy * dy + ddx * (x - cx) + ddy * (y - cy)
-        s = t - g / slope if slope > 0 else math.inf
-        if not (a <= s <= b):
-            s = (a + b) / 2
-        if abs(s - t) < _RESOLUTION or b - a < _RESOLUTION:
-            t = s
-            break
-        t = s
-    return t
-
-
-@njit(cache=True)
-def distance_minima(
-    tour: Tour, cx: float, cy: float, r: float, tol: float, skip: int
-) -> tuple[int, Ints, Floats, Floats]:
-    """Find every place where the boundary comes nearest to c, locally, and lies within r + tol of it.
-
-    Spans that certainly stay away are discarded by the convex hull of their Bernstein coefficients; where the
-    coefficients are convex there is one minimum, found by Newton; what is neither is cut in two.
-
-    Parameters
-    ----------
-    skip : int
-        Circle number (see `Tour.round_centre`) of elements to leave out: an element index whose circle's spans are the
-        disc's own contact; -1 for none.
-
-    Returns
-    -------
-    count : int
-    element, t : arrays
-        Places; only the first `count` rows count.
-    depth : array
-        ``|q - c| - r``: negative inside the disc.
-    """
-    element = np.empty(_MAX_FOUND, np.int64)
-    place_t = np.empty(_MAX_FOUND)
-    depth = np.empty(_MAX_FOUND)
-    count = 0
-    reach = r + tol
-    for e in range(len(tour.degree)):
-        if tour.degree[e] == 0:
-            continue
-        bx = max(tour.box[e, 0] - cx, 0.0, cx - tour.box[e, 2])
-        by = max(tour.box[e, 1] - cy, 0.0, cy - tour.box[e, 3])
-        if bx * bx + by * by > reach * reach:
-            continue
-        if (
-            skip >= 0
-            and abs(tour.round_radius[e] - tour.round_radius[skip]) <= _SAME_CIRCLE
-            and (
-                math.hypot(
-                    tour.round_centre[e, 0] - tour.round_centre[skip, 0],
-                    tour.round_centre[e, 1] - tour.round_centre[skip, 1],
-                )
-                <= _SAME_CIRCLE
-            )
-        ):
-            continue
-        count = _minima_on_span(tour, e, cx, cy, r, tol, element, place_t, depth, count)
-    return count, element, place_t, depth
-
-
-@njit(cache=True)
-def _minima_on_span(
-    tour: Tour,
-    e: int,
-    cx: float,
-    cy: float,
-    r: float,
-    tol: float,
-    element: Ints,
-    place_t: Floats,
-    depth: Floats,
-    count: int,
-) -> int:
-    """Append the minima on one span; see `distance_minima`."""
-    degree = tour.degree[e]
-    reach = r + tol
-    stack = np.empty((_MAX_STACK, 2 * degree + 1))
-    ends = np.empty((_MAX_STACK, 2))
-    # The power with respect to the grown disc: positive means farther than r + tol.
-    stack[0] = power_distance(tour.control[e], degree, cx, cy, reach)
-    ends[0] = 0.0, 1.0
-    top = 1
-    first = count
-    while top > 0:
-        top -= 1
-        coefficients = stack[top].copy()
-        low, high = ends[top]
-        if coefficients.min() > 0.0:
-            continue
-        # A stretch that runs inside the disc as a whole is a witness that settles the question.
-        inside = coefficients.max() < -4.4 * tol * r
-        # One on which the distance varies less than matters (it follows the circle) is as good as one point of it.
-        level = coefficients.max() - coefficients.min() < EMPTY / 2 * r
-        at_low, at_high, convex = _lowest(coefficients, low == 0.0, high == 1.0)
-        settled = inside or level or at_low >= 0 or convex
-        if not settled and high - low > _SHORTEST and top + 2 <= _MAX_STACK:
-            left, right = halves(coefficients)
-            middle = (low + high) / 2
-            stack[top], stack[top + 1] = right, left
-            ends[top] = middle, high
-            ends[top + 1] = low, middle
-            top += 2
-            continue
-        if at_low == 0 and at_high == 0:
-            continue
-        if at_low > 0:
-            t = low
-        elif at_high > 0:
-            t = high
-        else:
-            t = _span_minimum(tour, e, low, high, cx, cy)
-        if t - low < _NEAR_END or high - t < _NEAR_END:
-            width = high - low
-            t = _span_minimum(tour, e, max(t - width, 0.0), min(t + width, 1.0), cx, cy)
-        x, y, _, _, _, _ = evaluate(tour.control[e], degree, t)
-        # A negative coefficient is no proof that the curve itself comes near enough.
-        off = math.hypot(x - cx, y - cy) - r
-        known = off > tol
-        for k in range(first, count):
-            known = known or abs(place_t[k] - t) < _SAME_MINIMUM
-        if not known and count < _MAX_FOUND:
-            element[count], place_t[count], depth[count] = e, t, off
-            count += 1
-        if inside:
-            break
-    return count
-
-
-@njit(cache=True)
-def _lowest(coefficients: Floats, is_first: bool, is_last: bool) -> tuple[int, int, bool]:
-    """Tell from a stretch's coefficients where it can have a local minimum.
-
-    Returns
-    -------
-    at_low, at_high : int
-        1 if at that end, 0 if surely not, both -1 if the stretch neither rises nor falls throughout. An end inside the
-        span is a minimum only if the slope vanishes there; otherwise the neighbouring stretch goes on falling.
-    convex : bool
-        Whether there is just one minimum.
-    """
-    steps = np.diff(coefficients)
-    noise = 1e-16
-    if steps.min() >= 0.0:
-        return (1 if is_first or steps[0] <= noise else 0), 0, False
-    if steps.max() <= 0.0:
-        return 0, (1 if is_last or steps[-1] >= -noise else 0), False
-    return -1, -1, bool(np.diff(steps).min() >= 0.0)
-
-
-@njit(cache=True)
-def same_place(tour: Tour, e: int, t: float, f: int, s: float, r: float) -> bool:
-    """Whether two contacts of a disc of radius r are one and the same."""
-    ax, ay, _, _, _, _ = site(tour, e, t)
-    bx, by, _, _, _, _ = site(tour, f, s)
-    return math.hypot(ax - bx, ay - by) <= max(_SAME_ABSOLUTE, _SAME_RELATIVE * r)
-
-
-@njit(cache=True)
-def _same_contact(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy: float, r: float) -> bool:
-    """Whether two places are one contact: they coincide, or the span between them stays on the circle."""
-    if same_place(tour, e, t, f, s, r):
-        return True
-    if e != f and tour.before[f] == e and s == 0.0:
-        f, s = e, 1.0
-    elif e != f and tour.before[e] == f and t == 0.0:
-        e, t = f, 1.0
-    if e != f or tour.degree[e] == 0:
-        return False
-    for k in range(1, 8):
-        x, y, _, _, _, _ = site(tour, e, t + (s - t) * k / 8)
-        if abs(math.hypot(x - cx, y - cy) - r) > TOUCH:
-            return False
-    return True
-
-
-@njit(cache=True)
-def _normal_form(tour: Tour, e: int, t: float) -> tuple[int, float]:
-    """Snap to borders, which belong to the element that starts there."""
-    if t >= 1.0 - _SNAP:
-        return tour.after[e], 0.0
-    return e, 0.0 if t <= _SNAP else t
-
-
-@njit(cache=True)
-def touching(tour: Tour, cx: float, cy: float, r: float, tol: float, skip: int) -> tuple[float, int, Ints, Floats]:
-    """Contacts of a disc: the places where the boundary touches it within `tol`.
-
-    Returns
-    -------
-    deepest : float
-        Smallest ``|q - c| - r`` over the boundary near the disc; below ``-EMPTY`` the disc is not empty.
-    count : int
-    element, t : arrays
-        Contacts, in normal form; a reflex vertex appears as a place on its cone.
-    """
-    found, element, t, depth = distance_minima(tour, cx, cy, r, tol, skip)
-    deepest = math.inf
-    count = 0
-    for k in range(found):
-        deepest = min(deepest, depth[k])
-        e, s = element[k], t[k]
-        if s <= _SNAP or s >= 1.0 - _SNAP:
-            # The end of a span: a contact only where the boundary beyond it does not come nearer still.
-            e, s, keep = _contact_at_border(tour, e, s <= _SNAP, cx, cy)
-            if not keep:
-                continue
-        known = False
-        for i in range(count):
-            known = known or same_place(tour, element[i], t[i], e, s, r)
-        if not known:
-            element[count], t[count] = e, s
-            count += 1
-    return deepest, count, element, t
-
-
-@njit(cache=True)
-def _contact_at_border(tour: Tour, e: int, at_start: bool, cx: float, cy: float) -> tuple[int, float, bool]:
-    """Decide whether a disc around c that reaches a span's end touches there, and as which place."""
-    other = tour.before[e] if at_start else tour.after[e]
-    if tour.degree[other] == 0:
-        s = cone_turn(tour, other, cx, cy)
-        angle = abs(tour.cone[other, 1])
-        if -1e-9 / angle <= s <= 1.0 + 1e-9 / angle:
-            e, s = _normal_form(tour, other, min(max(s, 0.0), 1.0))
-            return e, s, True
-        return e, 0.0, False
-    border = e if at_start else other
-    x, y, dx, dy, _, _ = evaluate(tour.control[border], tour.degree[border], 0.0)
-    left = tour.before[border]
-    _, _, ux, uy, _, _ = evaluate(tour.control[left], tour.degree[left], 1.0)
-    reach = math.hypot(x - cx, y - cy)
-    rising_right = (dx * (x - cx) + dy * (y - cy)) / math.hypot(dx, dy) > -1e-6 * reach
-    falling_left = (ux * (x - cx) + uy * (y - cy)) / math.hypot(ux, uy) < 1e-6 * reach
-    return border, 0.0, rising_right and falling_left
 
 
 @njit(cache=True)
@@ -467,7 +95,7 @@ def _with_contacts(
     out_e, out_t = np.empty(found + 1, np.int64), np.empty(found + 1)
     count = 0
     if twin_e >= 0:
-        twin_e, twin_t = _normal_form(tour, twin_e, twin_t)
+        twin_e, twin_t = normal_form(tour, twin_e, twin_t)
         if not same_place(tour, twin_e, twin_t, e, t, r):
             out_e[0], out_t[0], count = twin_e, twin_t, 1
     twins = count
@@ -484,22 +112,117 @@ def _with_contacts(
 
 
 @njit(cache=True)
-def nearest_on_stretch(tour: Tour, e: int, low: float, high: float, cx: float, cy: float) -> tuple[float, float]:
-    """Return the place of a stretch that is nearest to c, and its distance."""
+def _same_contact(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy: float, r: float) -> bool:
+    """Whether two places are one contact: they coincide, or the span between them stays on the circle."""
+    if same_place(tour, e, t, f, s, r):
+        return True
+    if e != f and tour.before[f] == e and s == 0.0:
+        f, s = e, 1.0
+    elif e != f and tour.before[e] == f and t == 0.0:
+        e, t = f, 1.0
+    if e != f or tour.degree[e] == 0:
+        return False
+    for k in range(1, 8):
+        x, y, _, _, _, _ = site(tour, e, t + (s - t) * k / 8)
+        if abs(math.hypot(x - cx, y - cy) - r) > TOUCH:
+            return False
+    return True
+
+
+@njit(cache=True)
+def _polish(tour: Tour, px: float, py: float, nx: float, ny: float, e: int, t: float) -> tuple[float, int, float]:
+    """Descend f(p, q) from q = (e, t) to a local minimum; Newton on G, halved while f does not fall."""
     if tour.degree[e] == 0:
-        s = min(max(cone_turn(tour, e, cx, cy), low), high)
-        return s, math.hypot(tour.control[e, 0, 0] - cx, tour.control[e, 0, 1] - cy)
-    count = 9
-    best_k, best = 0, math.inf
-    for k in range(count):
-        x, y, _, _, _, _ = evaluate(tour.control[e], tour.degree[e], low + (high - low) * k / (count - 1))
-        d = math.hypot(x - cx, y - cy)
-        if d < best:
-            best_k, best = k, d
-    width = (high - low) / (count - 1)
-    t = _span_minimum(tour, e, max(low, low + (best_k - 1) * width), min(high, low + (best_k + 1) * width), cx, cy)
-    x, y, _, _, _, _ = evaluate(tour.control[e], tour.degree[e], t)
-    return t, math.hypot(x - cx, y - cy)
+        other = tour.after[e]
+        f, g, _, _, _ = _descent(tour, px, py, nx, ny, other, 0.0)
+        if f < math.inf and g < 0.0:
+            e, t = other, 0.0
+        else:
+            e, t = tour.before[e], 1.0
+    f, g, slope, speed, _ = _descent(tour, px, py, nx, ny, e, t)
+    for k in range(200):
+        if f == math.inf:
+            break
+        if (t == 0.0 and g > 0.0) or (t == 1.0 and g < 0.0):
+            moved, e, t = _neighbour(tour, px, py, nx, ny, e, t == 1.0)
+            if not moved:
+                return f, e, t
+            f, g, slope, speed, _ = _descent(tour, px, py, nx, ny, e, t)
+            continue
+        # Where G does not rise f is not convex: a small fixed step downhill leaves such stretches.
+        step = -g / slope if slope > 1e-6 * speed * speed else -math.copysign(0.05, g)
+        bound = 0.3 * 0.97**k
+        step = min(max(step, -bound), bound)
+        accepted = False
+        s, f_new, g_new, slope_new, speed_new = t, f, g, slope, speed
+        for _ in range(40):
+            s = min(max(t + step, 0.0), 1.0)
+            f_new, g_new, slope_new, speed_new, _ = _descent(tour, px, py, nx, ny, e, s)
+            if f_new <= f or (abs(step) < _FLAT_STEP and abs(g_new) < abs(g)):
+                accepted = True
+                break
+            step /= 2
+        if not accepted:
+            break
+        done = abs(s - t) < _SETTLED_STEP
+        t, f, g, slope, speed = s, f_new, g_new, slope_new, speed_new
+        if done and 0.0 < t < 1.0:
+            break
+        if done and g == 0.0:
+            break
+    return f, e, t
+
+
+@njit(cache=True)
+def _descent(
+    tour: Tour, px: float, py: float, nx: float, ny: float, e: int, t: float
+) -> tuple[float, float, float, float, float]:
+    """Return f(p, q), its slope's sign function G = q'.(q - c), an estimate of G', and the speed at q = (e, t)."""
+    qx, qy, tx, ty, sx, sy = evaluate(tour.control[e], tour.degree[e], t)
+    f = _radius(px, py, nx, ny, qx, qy)
+    if f == math.inf:
+        return f, 0.0, 1.0, 1.0, 0.0
+    cx, cy = px + f * nx, py + f * ny
+    g = tx * (qx - cx) + ty * (qy - cy)
+    height = nx * (qx - px) + ny * (qy - py)
+    slope = tx * tx + ty * ty + sx * (qx - cx) + sy * (qy - cy) - g / height * (nx * tx + ny * ty)
+    return f, g, slope, math.hypot(tx, ty), height
+
+
+@njit(cache=True)
+def _neighbour(
+    tour: Tour, px: float, py: float, nx: float, ny: float, e: int, forward: bool
+) -> tuple[bool, int, float]:
+    """Step over the end of a span while f still falls there.
+
+    Returns
+    -------
+    moved : bool
+        Whether the descent goes on, on the span returned; if not, the place returned is the minimum.
+    """
+    other = tour.after[e] if forward else tour.before[e]
+    cone = -1
+    if tour.degree[other] == 0:
+        cone = other
+        other = tour.after[other] if forward else tour.before[other]
+    start = 0.0 if forward else 1.0
+    f, g, _, _, _ = _descent(tour, px, py, nx, ny, other, start)
+    if f < math.inf and (g < 0.0 if forward else g > 0.0):
+        return True, other, start
+    if cone >= 0:
+        s = cone_turn(tour, cone, px + f * nx, py + f * ny)
+        return False, cone, min(max(s, 0.0), 1.0)
+    return False, e, 1.0 if forward else 0.0
+
+
+@njit(cache=True)
+def _radius(px: float, py: float, nx: float, ny: float, qx: float, qy: float) -> float:
+    """Radius of the disc that touches p along n and passes through q; infinite if q lies behind p."""
+    dx, dy = qx - px, qy - py
+    height = nx * dx + ny * dy
+    if height <= _TINY:
+        return math.inf
+    return (dx * dx + dy * dy) / (2.0 * height)
 
 
 @njit(cache=True)

@@ -20,7 +20,7 @@ from numba import njit
 
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.bezier import curvature_slope, halves, product, value
-from mashape_cad.medial.disc import EMPTY, TOUCH, same_place, touching
+from mashape_cad.medial.emptiness import EMPTY, TOUCH, same_place, touching
 from mashape_cad.medial.tour import ROUND, Tour, site
 
 __all__ = ["Contact", "Place", "SettledDisc", "ends", "one_contact"]

@@ -12,7 +12,7 @@ import numpy as np
 from numba import njit
 
 from mashape_cad.geometry.edge import Floats
-from mashape_cad.medial.disc import cone_turn
+from mashape_cad.medial.emptiness import cone_turn
 from mashape_cad.medial.tour import Ints, Tour, site
 
 __all__ = ["junction_disc"]
