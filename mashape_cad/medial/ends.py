@@ -354,10 +354,23 @@ def falling_roots(coefficients: Floats) -> Floats:
             continue
         left, right = halves(row)
         middle = (low + high) / 2
+        # A root right at the cut, as symmetric curves have it, changes the sign in neither half.
+        if abs(right[0]) <= noise and _sign(left[::-1], noise) > 0 > _sign(right, noise) and count < len(roots):
+            roots[count] = middle
+            count += 1
         stack[top], ends[top] = right, (middle, high)
         stack[top + 1], ends[top + 1] = left, (low, middle)
         top += 2
     return roots[:count]
+
+
+@njit(cache=True)
+def _sign(coefficients: Floats, noise: float) -> int:
+    """Sign of a polynomial right behind 0: of its first coefficient that is not lost in rounding."""
+    for c in coefficients:
+        if abs(c) > noise:
+            return 1 if c > 0 else -1
+    return 0
 
 
 @njit(cache=True)
