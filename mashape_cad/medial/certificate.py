@@ -32,7 +32,8 @@ class Certificate:
     max_foot_error : float
         Largest difference between a disc's radius and the distance from its centre to a footpoint.
     ok : bool
-        Both errors at most 1e-7, connected, as many cycles as holes, and the counting identity holds.
+        Both errors at most 1e-7, connected, as many cycles as holes, the counting identity holds, and the branches
+        account for the whole boundary.
     """
 
     edges: int
@@ -74,7 +75,13 @@ def certificate(axis: MedialAxis) -> Certificate:
         connected=connected,
         max_disc_error=disc_error,
         max_foot_error=foot_error,
-        ok=bool(accurate and connected and axis.cycles == holes and _counts_agree(axis, ends, holes)),
+        ok=bool(
+            accurate
+            and connected
+            and axis.cycles == holes
+            and _counts_agree(axis, ends, holes)
+            and _covers_boundary(axis)
+        ),
     )
 
 
@@ -84,3 +91,22 @@ def _counts_agree(axis: MedialAxis, ends: int, holes: int) -> bool:
         return holes == 0
     degree = axis.nodes.degree
     return int((degree[degree > 2] - 2).sum()) == ends + 2 * holes - 2
+
+
+def _covers_boundary(axis: MedialAxis) -> bool:
+    """Whether every stretch of boundary bounds one piece, every piece lies on one branch, and all degrees agree."""
+    contacts, nodes = axis.contacts, axis.nodes
+    bounded = {
+        (piece, side) for piece, side in zip(contacts.piece.tolist(), contacts.side.tolist(), strict=True) if piece >= 0
+    }
+    pieces = [piece for branch in axis.branches for piece, _ in branch.pieces]
+    meeting = np.bincount(
+        np.array([node for branch in axis.branches for node in (branch.start, branch.end)], dtype=np.int64),
+        minlength=len(nodes.degree),
+    )
+    return (
+        bounded == {(piece, side) for piece in pieces for side in (0, 1)}
+        and sorted(pieces) == list(range(len(axis.pieces.disc)))
+        and np.array_equal(meeting, nodes.degree)
+        and np.array_equal(axis.discs.degree[nodes.disc], nodes.degree)
+    )

@@ -37,15 +37,27 @@ def check_simple(tour: Tour, frame: Frame) -> None:
         px, py = frame.middle + frame.size * np.array(place)
         text = f"the outline crosses or touches itself at ({px:.6g}, {py:.6g}); mend it in the drawing"
         raise InvalidProfileError("crossing", text, (float(px), float(py)))
-    outer = _polygon(tour, 0)
-    for loop in range(1, int(tour.loop.max()) + 1):
-        # Loops do not cross, so a hole lies inside if any of its points does; those near the outer loop may seem not
-        # to.
-        points = _polygon(tour, loop)
-        if not any(_winds_round(outer, float(x), float(y)) for x, y in points):
-            px, py = points[0] * frame.size + frame.middle
-            text = f"the hole at ({px:.6g}, {py:.6g}) lies outside the outer loop"
-            raise InvalidProfileError("hole-outside", text, (float(px), float(py)))
+    polygons = [_polygon(tour, loop) for loop in range(int(tour.loop.max()) + 1)]
+    for hole in polygons[1:]:
+        # Loops do not cross, so one point inside settles it; points near the other loop may seem to lie elsewhere.
+        inside = any(_winding(polygons[0], point) == 1 for point in hole)
+        in_other = any(_in_box(hole, other) and _all_inside(hole, other) for other in polygons[1:] if other is not hole)
+        if not inside or in_other:
+            px, py = hole[0] * frame.size + frame.middle
+            where = "inside another hole" if in_other else "outside the outer loop"
+            raise InvalidProfileError(
+                "hole-outside", f"the hole at ({px:.6g}, {py:.6g}) lies {where}", (float(px), float(py))
+            )
+
+
+def _in_box(points: Floats, polygon: Floats) -> bool:
+    low, high = polygon.min(axis=0), polygon.max(axis=0)
+    return bool(np.all((points >= low) & (points <= high)))
+
+
+def _all_inside(points: Floats, polygon: Floats) -> bool:
+    """Whether all points lie inside a polygon of either orientation."""
+    return all(_winding(polygon, point) != 0 for point in points)
 
 
 def _polygon(tour: Tour, loop: int) -> Floats:
@@ -62,11 +74,11 @@ def _steps(degree: int) -> Floats:
     return np.linspace(0.0, 1.0, 1 if degree == 1 else 16, endpoint=False)
 
 
-def _winds_round(polygon: Floats, x: float, y: float) -> bool:
-    """Whether a closed polygon winds round a point once, counter-clockwise."""
-    angle = np.unwrap(np.arctan2(polygon[:, 1] - y, polygon[:, 0] - x), period=2 * np.pi)
+def _winding(polygon: Floats, point: Floats) -> int:
+    """How often a closed polygon winds round a point, counter-clockwise positive."""
+    angle = np.unwrap(np.arctan2(polygon[:, 1] - point[1], polygon[:, 0] - point[0]))
     turns = (np.unwrap([angle[-1], angle[0]])[1] - angle[0]) / (2 * np.pi)
-    return bool(round(turns) == 1)
+    return round(float(turns))
 
 
 def first_contact(tour: Tour) -> tuple[float, float] | None:
