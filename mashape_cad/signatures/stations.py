@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from mashape_cad.geometry.edge import Edge, EllipseArc, Floats, Line
+from mashape_cad.geometry.edge import Arc, Edge, EllipseArc, Floats, Line
 from mashape_cad.medial.assembly import foot
 from mashape_cad.medial.branch import contact_before, discs_on_piece
 from mashape_cad.medial.graph import MedialAxis
@@ -18,6 +18,8 @@ __all__ = ["Stations", "stations"]
 
 # Table from which arc length is inverted: on a span cut in 32 parts linear interpolation is good to 1e-3 of a step.
 _TABLE = 32
+# Parameters this close to the end of an element are the start of the next.
+_BORDER = 1e-9
 # Normals that differ by less are equal: the disc osculates.
 _NO_TURN = 1e-9
 
@@ -81,29 +83,33 @@ def _places(axis: MedialAxis, per_edge: int) -> tuple[Ints, Floats]:
     tour = axis.tour
     elements: list[Ints] = []
     parameters: list[Floats] = []
-    closed = {loop.edges[0]: index for index, loop in enumerate(axis.profile.loops) if len(loop.edges) == 1}
+    circles = {
+        loop.edges[0]: index
+        for index, loop in enumerate(axis.profile.loops)
+        if len(loop.edges) == 1 and isinstance(loop.edges[0], Arc)
+    }
     for number, edge in enumerate(axis.profile.edges):
-        start = _largest_contact(axis, closed[edge]) if edge in closed else 0.0
+        start = _largest_contact(axis, circles[edge]) if edge in circles else 0.0
         u = np.sort(_equal_steps(edge, per_edge, start))
         spans = np.flatnonzero((tour.edge == number) & (tour.degree > 0))
         e = spans[np.clip(np.searchsorted(tour.edge_from[spans], u, side="right") - 1, 0, len(spans) - 1)]
         fraction = (u - tour.edge_from[e]) / (tour.edge_to[e] - tour.edge_from[e])
         elements.append(e)
         parameters.append(_bezier_parameter(edge, fraction, tour.edge_to[e] - tour.edge_from[e]))
-    return np.concatenate(elements), np.concatenate(parameters)
+    element, t = np.concatenate(elements), np.concatenate(parameters)
+    # The end of an element is the start of the next one, whatever rounding says.
+    ended = t > 1.0 - _BORDER
+    return np.where(ended, tour.after[element], element), np.where(ended, 0.0, t)
 
 
 def _largest_contact(axis: MedialAxis, loop: int) -> float:
-    """Edge parameter at which the largest node's disc touches a loop that is one closed edge.
+    """Edge parameter at which the largest node's disc touches a loop that is a full circle.
 
     Where a full circle starts is an accident of its file: readers put it in a fixed direction, whichever way the part
-    is turned. So steps on it are counted from a place that belongs to the shape; 0 if the vertex there is a true one.
+    is turned. So steps on it are counted from a place that belongs to the shape. A disc touches a circle only once.
     """
     contacts, tour = axis.contacts, axis.tour
     places = contacts.first[:, 0].astype(np.int64)
-    first = int(np.flatnonzero(tour.loop == loop)[0])
-    if tour.convex[first] or tour.degree[first] == 0:
-        return 0.0
     mine = np.flatnonzero(
         (tour.loop[np.minimum(places, len(tour.loop) - 1)] == loop) & (axis.discs.degree[contacts.disc] != 2)
     )
@@ -222,13 +228,19 @@ def _spread(axis: MedialAxis, disc: int) -> float:
         return float(2 * axis.discs.radius[disc])  # the domain is one disc
     mine = np.flatnonzero(axis.contacts.disc == disc)
     centre = (axis.discs.centre[disc] - axis.frame.middle) / axis.frame.size
-    angles = []
-    for c in mine:
-        (e, t), (f, s) = axis.contacts.first[c], axis.contacts.last[c]
-        (ax, ay), (bx, by) = site(axis.tour, int(e), t)[:2], site(axis.tour, int(f), s)[:2]
-        start = np.arctan2(ay - centre[1], ax - centre[0])
-        turn = np.mod(np.arctan2(by - centre[1], bx - centre[0]) - start, 2 * np.pi)
-        angles.append(start + np.linspace(0.0, turn, 181))
-    points = np.concatenate(angles)
-    apart = np.abs(np.exp(1j * points)[:, None] - np.exp(1j * points)[None, :])
-    return float(apart.max() * axis.discs.radius[disc])
+    start, turn = np.array([_arc(axis, int(c), centre) for c in mine]).T
+    # Somewhere on one arc lies the antipode of a point of another, or of the same one.
+    opposite = np.mod(start[None, :] - start[:, None] - np.pi, 2 * np.pi)
+    if np.any((opposite <= turn[:, None]) | (2 * np.pi - opposite <= turn[None, :])):
+        return float(2 * axis.discs.radius[disc])
+    ends = np.concatenate([start, start + turn])
+    return float(np.abs(np.exp(1j * ends)[:, None] - np.exp(1j * ends)[None, :]).max() * axis.discs.radius[disc])
+
+
+def _arc(axis: MedialAxis, contact: int, centre: Floats) -> tuple[float, float]:
+    """Direction, seen from a disc's centre, in which a contact starts, and the angle over which it goes on, radians."""
+    (e, t), (f, s) = axis.contacts.first[contact], axis.contacts.last[contact]
+    (ax, ay), (bx, by) = site(axis.tour, int(e), t)[:2], site(axis.tour, int(f), s)[:2]
+    start = float(np.arctan2(ay - centre[1], ax - centre[0]))
+    turn = float(np.mod(np.arctan2(by - centre[1], bx - centre[0]) - start, 2 * np.pi))
+    return start, turn if (e, t) != (f, s) else 0.0
