@@ -80,20 +80,27 @@ def _united(first: list[SettledDisc], more: list[SettledDisc]) -> list[SettledDi
 
 def _resolved(tour: Tour, faces: Faces, face: Face, age: int) -> list[tuple[Face, int]]:
     """Split a face by a junction, else by a cluster, else by stations."""
-    if len(face) > 2:
-        for disc, at in _junctions(tour, faces, face):
-            return [(part, 0) for part in _inserted(faces, disc, face, at)]
-        if len(face) > 3 and (found := _cluster(tour, faces, face, _CLUSTER)) is not None:
-            return [(part, 0) for part in _inserted(faces, *found[:1], face, found[1])]
+    for disc, at in _vertices(tour, faces, face):
+        parts = _inserted(faces, disc, face, at)
+        if len(parts) > 1:
+            return [(part, 0) for part in parts]
     known = len(faces.contact)
     for gap in face:
         _add_station(tour, faces, _inside(tour, faces, gap))
     if len(faces.contact) > known:
-        parts = dict.fromkeys(faces.face_of(gap) for gap in (*face, *range(known, len(faces.contact))))
+        parts = list(dict.fromkeys(faces.face_of(gap) for gap in (*face, *range(known, len(faces.contact)))))
         return [(part, age + 1) for part in parts]
     if len(face) > 2 and _extent(faces, face) < _STAR and (star := _cluster(tour, faces, face, _STAR)):
         return [(part, 0) for part in _inserted(faces, star[0], face, star[1])]
     raise AxisError("a face of the domain could not be cut further", _place_of(faces, face))
+
+
+def _vertices(tour: Tour, faces: Faces, face: Face) -> Iterator[tuple[SettledDisc, list[tuple[int, Place]]]]:
+    """Yield what may be a vertex in a face: its junctions, then one disc for all of its gaps."""
+    if len(face) > 2:
+        yield from _junctions(tour, faces, face)
+    if len(face) > 3 and (found := _cluster(tour, faces, face, _CLUSTER)) is not None:
+        yield found
 
 
 def _inside(tour: Tour, faces: Faces, gap: int) -> Place:

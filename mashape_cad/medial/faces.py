@@ -42,7 +42,7 @@ class Faces:
     """
 
     def __init__(self, tour: Tour, discs: list[SettledDisc]) -> None:
-        """Lay out the first discs, which must link all loops; see `split_into_faces` for the check."""
+        """Lay out the first discs, which must link all loops; whether the faces are simply connected is checked."""
         self.tour = tour
         self.discs: list[SettledDisc] = []
         self.contact: list[Contact] = []
