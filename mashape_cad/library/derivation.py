@@ -6,6 +6,7 @@ Importing this module loads the kernel; whoever works from sidecars imports it o
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +20,7 @@ from mashape_cad.errors import (
     UnreadableFileError,
 )
 from mashape_cad.findings import Finding, Severity
-from mashape_cad.geometry.edge import Floats, Line
+from mashape_cad.geometry.edge import Arc, BSpline, Floats, Line
 from mashape_cad.geometry.profile import Loop, Origin, Profile
 from mashape_cad.library.freshness import source_of
 from mashape_cad.library.record import (
@@ -145,10 +146,15 @@ def profile_record(profile: Profile, options: SignatureOptions) -> ProfileRecord
 
 
 def warm_up() -> None:
-    """Load what is heavy and compute one small axis, so that the first file does not pay for it."""
-    corners = np.array([[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [1.0, 1.0]])
-    lines = tuple(Line.of(start, end) for start, end in zip(corners, np.roll(corners, -1, axis=0), strict=True))
-    profile_record(Profile.of(Loop(lines)), SignatureOptions())
+    """Load what is heavy and compute one small axis, so that the first file does not pay for it.
+
+    It has a line, an arc, a spline, a reflex vertex and a hole: all that makes compiled code differ.
+    """
+    corners = [(0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (1.0, 1.0)]
+    lines = [Line.of(start, end) for start, end in pairwise(corners)]
+    side = BSpline.of(3, [0.0] * 4 + [1.0] * 4, [corners[-1], (0.4, 1.2), (-0.2, 0.5), corners[0]])
+    hole = Loop((Arc.of((1.8, 0.6), 0.2),))
+    profile_record(Profile.of(Loop((*lines, side)), [hole]), SignatureOptions())
 
 
 def _sound(bounds: Floats, profile: Profile) -> Floats:

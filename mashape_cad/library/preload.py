@@ -12,6 +12,11 @@ from mashape_cad.errors import KernelUnavailableError
 # Loading takes seconds, and Ctrl-C meanwhile is meant for this process too: it ends without a word.
 signal.signal(signal.SIGINT, signal.SIG_DFL)
 with suppress(KernelUnavailableError):
-    import mashape_cad.library.derivation
     import mashape_cad.reading.dxf
     import mashape_cad.reading.step  # noqa: F401
+    from mashape_cad.library.derivation import warm_up
+
+    # Compiled once here, the first time after an installation for a minute, instead of in every worker. What goes wrong
+    # goes wrong again in the worker, which can say so.
+    with suppress(Exception):
+        warm_up()
