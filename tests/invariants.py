@@ -60,15 +60,15 @@ def check_feet(profile: Profile, axis: MedialAxis, tol: Floats) -> None:
 
     The spoke points to the left of the boundary; at a vertex it lies between the normals of both sides.
     """
-    discs, edges = axis.discs, profile.edges
+    discs, edges, diagonal = axis.discs, profile.edges, profile.diagonal
     curves = [KernelCurve(edge) for edge in edges]
     for k, centre in enumerate(discs.centre):
         for foot, number, u in zip(discs.foot[k], discs.foot_edge[k], discs.foot_u[k], strict=True):
             ours, kernels = edges[number].point([u])[0], curves[number].derivatives([u])[0, 0]
-            assert np.hypot(*(ours - foot)) <= 1e-9 * profile.diagonal
-            assert np.hypot(*(kernels - foot)) <= 1e-9 * profile.diagonal
-            assert abs(np.hypot(*(centre - foot)) - discs.radius[k]) <= tol[k] + 1e-12 * profile.diagonal
-            if discs.radius[k] > 1e-6 * profile.diagonal:
+            assert np.hypot(*(ours - foot)) <= 1e-9 * diagonal
+            assert np.hypot(*(kernels - foot)) <= 1e-9 * diagonal
+            assert abs(np.hypot(*(centre - foot)) - discs.radius[k]) <= tol[k] + 1e-12 * diagonal
+            if discs.radius[k] > 1e-6 * diagonal:
                 assert _is_normal(profile, int(number), float(u), (centre - foot) / discs.radius[k])
 
 
@@ -169,7 +169,8 @@ def _sides(profile: Profile, number: int, u: float) -> tuple[tuple[int, float], 
 
 def _is_normal(profile: Profile, number: int, u: float, spoke: Floats) -> bool:
     """Whether a spoke lies between the inward normals of both sides of a place."""
-    tangents = [_tangent(profile.edges[e], at) for e, at in _sides(profile, number, u)]
+    edges = profile.edges
+    tangents = [_tangent(edges[e], at) for e, at in _sides(profile, number, u)]
     angles = [np.arctan2(t[0] * spoke[1] - t[1] * spoke[0], t @ spoke) - np.pi / 2 for t in tangents]
     before, after = (math.remainder(angle, math.tau) for angle in angles)
     return before <= _ANGLE and after >= -_ANGLE  # going round a reflex vertex normals turn clockwise

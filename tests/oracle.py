@@ -9,6 +9,7 @@ from itertools import pairwise
 import numpy as np
 import shapely
 from scipy.optimize import minimize_scalar
+from scipy.spatial import cKDTree
 
 from mashape_cad.geometry.edge import Edge, Floats
 from mashape_cad.geometry.profile import Profile
@@ -40,7 +41,7 @@ class Oracle:
             if value > 2 * best:
                 break
             # Right at p the quotient is 0 / 0; what it tends to is the radius of curvature, which is counted already.
-            skip = (u - 1e-4, u + 1e-4) if e == number else (2.0, 2.0)
+            skip = (u - 5e-4, u + 5e-4) if e == number else (2.0, 2.0)
             best = min(best, self._refined(point, normal, e, (low, high), skip))
         return best
 
@@ -93,6 +94,26 @@ def _parameters(edge: Edge) -> Floats:
     _, breaks = edge.spans()
     inner = np.arange(_PER_SPAN) / _PER_SPAN
     return np.append((breaks[:-1, None] + inner * np.diff(breaks)[:, None]).ravel(), 1.0)
+
+
+def check_definition(profile: Profile, axis: MedialAxis, seed: int, count: int) -> None:
+    """At random places of the boundary the axis has the disc that brute force finds, on one of its branches."""
+    oracle, diagonal = Oracle(profile), profile.diagonal
+    step = diagonal / 50
+    tree = cKDTree(samples_of(sampled_branches(axis, step))[:, :2] if axis.branches else axis.nodes.centre)
+    for element, t, number, u in random_places(axis, np.random.default_rng(seed), count):
+        expected = oracle.disc(number, u)
+        actual, twin = disc_of_axis(axis, element, t)
+        assert np.max(np.abs(actual - expected)) <= 1e-6 * diagonal
+        assert abs(np.hypot(*(twin - actual[:2])) - actual[2]) <= 1e-10 * diagonal
+        assert tree.query(expected[:2])[0] <= step
+
+
+def check_restored(profile: Profile, axis: MedialAxis) -> None:
+    """What the discs of all branches cover is the profile, no more and no less: nothing of the axis is missing."""
+    outline = shapely.Polygon(profile.outer.flattened(200), [hole.flattened(200) for hole in profile.holes])
+    restored = covered(axis, profile.diagonal / 60)
+    assert outline.symmetric_difference(restored).area <= 2e-3 * outline.area
 
 
 def disc_of_axis(axis: MedialAxis, element: int, t: float) -> tuple[Floats, Floats]:

@@ -52,6 +52,17 @@ def star_splines(draw: DrawFn) -> Profile:
     return Profile.of(outer, _holes(draw, 0.45))
 
 
+@st.composite
+def symmetric_splines(draw: DrawFn) -> Profile:
+    """Closed splines that are their own mirror image, some turned into themselves too: events coincide."""
+    quarter = [draw(_numbers(0.8, 2.0)) for _ in range(draw(st.integers(2, 4)))]
+    radius = np.array((quarter + quarter[::-1]) * draw(st.integers(2, 4)))
+    angle = TAU * (np.arange(len(radius)) + draw(st.sampled_from([0.0, 0.5]))) / len(radius)
+    poles = np.column_stack([radius * np.cos(angle), radius * np.sin(angle)])
+    hole = [circle(0, 0, 0.3)] if draw(st.booleans()) else []
+    return Profile.of(periodic_spline(poles, draw(st.integers(2, 4))), hole)
+
+
 def _holes(draw: DrawFn, reach: float) -> list[Loop]:
     """Up to three holes in sectors of a circle about the origin."""
     count = draw(st.integers(0, 3))
@@ -194,7 +205,8 @@ def nearly_stadium(draw: DrawFn) -> Profile:
 
 
 EVERYDAY: dict[str, Callable[[], SearchStrategy[Profile]]] = {
-    make.__name__.replace("_", " "): make for make in (star_splines, rectilinear, rounded_polygons, plates)
+    make.__name__.replace("_", " "): make
+    for make in (star_splines, symmetric_splines, rectilinear, rounded_polygons, plates)
 }
 ALMOST_DEGENERATE: dict[str, Callable[[], SearchStrategy[Profile]]] = {
     make.__name__.replace("_", " "): make

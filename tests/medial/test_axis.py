@@ -20,7 +20,7 @@ from catalogue import (
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from invariants import check_axis
-from oracle import samples_of
+from oracle import check_definition, check_restored, samples_of
 from scipy.spatial import cKDTree
 from strategies import ALMOST_DEGENERATE, EVERYDAY, similarities
 
@@ -215,12 +215,14 @@ _QUICK = settings(
 _LONG = settings(_QUICK, max_examples=120)
 
 
-def check_drawn(data: st.DataObject, strategy: st.SearchStrategy[Profile]) -> None:
+def check_drawn(data: st.DataObject, strategy: st.SearchStrategy[Profile], places: int) -> None:
     """Draw a profile and a pose; the axis in that pose is complete."""
     profile = data.draw(strategy).transformed(data.draw(similarities()))
     axis = medial_axis(profile)
     check_axis(profile, axis, accuracy=1e-8)
     assert certificate(axis).ok
+    check_restored(profile, axis)
+    check_definition(profile, axis, seed=1, count=places)
 
 
 @pytest.mark.parametrize("family", [*EVERYDAY, *ALMOST_DEGENERATE])
@@ -228,7 +230,7 @@ def check_drawn(data: st.DataObject, strategy: st.SearchStrategy[Profile]) -> No
 @_QUICK
 def test_random_profiles(family, data):
     """Splines, polygons, fillets, plates, and what nearly degenerates: complete axes in any pose."""
-    check_drawn(data, (EVERYDAY | ALMOST_DEGENERATE)[family]())
+    check_drawn(data, (EVERYDAY | ALMOST_DEGENERATE)[family](), places=3)
 
 
 @pytest.mark.slow
@@ -237,4 +239,4 @@ def test_random_profiles(family, data):
 @_LONG
 def test_many_random_profiles(family, data):
     """The same, thirty times as many."""
-    check_drawn(data, (EVERYDAY | ALMOST_DEGENERATE)[family]())
+    check_drawn(data, (EVERYDAY | ALMOST_DEGENERATE)[family](), places=12)

@@ -2,10 +2,8 @@
 
 import numpy as np
 import pytest
-import shapely
 from catalogue import KNOWN, NAMED, axis_of, profile_of
-from oracle import Oracle, covered, disc_of_axis, random_places, samples_of
-from scipy.spatial import cKDTree
+from oracle import check_definition, check_restored
 
 from mashape_cad.medial.branch import contact_before, discs_on_piece, sampled_branches
 from mashape_cad.medial.tour import site
@@ -13,24 +11,10 @@ from mashape_cad.medial.tour import site
 _ALL = [*KNOWN, *NAMED]
 
 
-def check_against_definition(name: str, seed: int, count: int) -> None:
-    """At random places of the boundary the axis has the disc that brute force finds, on one of its branches."""
-    profile, axis = profile_of(name), axis_of(name)
-    oracle, diagonal = Oracle(profile), profile.diagonal
-    step = diagonal / 50
-    tree = cKDTree(samples_of(sampled_branches(axis, step))[:, :2] if axis.branches else axis.nodes.centre)
-    for element, t, number, u in random_places(axis, np.random.default_rng(seed), count):
-        expected = oracle.disc(number, u)
-        actual, twin = disc_of_axis(axis, element, t)
-        assert actual == pytest.approx(expected, abs=2e-7 * diagonal)
-        assert abs(np.hypot(*(twin - actual[:2])) - actual[2]) <= 1e-10 * diagonal
-        assert tree.query(expected[:2])[0] <= step
-
-
 @pytest.mark.parametrize("name", _ALL)
 def test_discs_are_those_of_the_definition(name):
     """Radius min |q - p|^2 / (2 n.(q - p)), by brute force over the whole boundary, and never off a branch."""
-    check_against_definition(name, 7, 12)
+    check_definition(profile_of(name), axis_of(name), seed=7, count=12)
 
 
 @pytest.mark.slow
@@ -38,16 +22,13 @@ def test_discs_are_those_of_the_definition(name):
 @pytest.mark.parametrize("name", _ALL)
 def test_discs_are_those_of_the_definition_in_long(name, seed):
     """The same at many more places."""
-    check_against_definition(name, seed, 120)
+    check_definition(profile_of(name), axis_of(name), seed, count=120)
 
 
 @pytest.mark.parametrize("name", _ALL)
 def test_the_discs_restore_the_area(name):
-    """What the discs of all branches cover is the profile, no more and no less: nothing of the axis is missing."""
-    profile, axis = profile_of(name), axis_of(name)
-    outline = shapely.Polygon(profile.outer.flattened(200), [hole.flattened(200) for hole in profile.holes])
-    restored = covered(axis, profile.diagonal / 60)
-    assert outline.symmetric_difference(restored).area <= 2e-3 * outline.area
+    """No branch is missing, and none is too much."""
+    check_restored(profile_of(name), axis_of(name))
 
 
 @pytest.mark.parametrize("step", [3.0, 0.5, 0.01])
