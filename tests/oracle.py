@@ -63,9 +63,9 @@ class Oracle:
     def _refined(
         self, point: Floats, normal: Floats, e: int, ends: tuple[float, float], skip: tuple[float, float]
     ) -> float:
-        """Smallest value between two parameters, in two passes: the first one may stand on a shoulder."""
+        """Smallest value between two parameters, by finer and finer samples: a tiny edge makes a tiny valley."""
         edge, (low, high) = self.profile.edges[e], ends
-        for _ in range(2):
+        for _ in range(5):
             grid = np.linspace(low, high, 33)
             grid = grid[(grid < skip[0]) | (grid > skip[1])]
             if not len(grid):
@@ -76,7 +76,10 @@ class Oracle:
         if high - low < 1e-13 or (low < skip[1] and high > skip[0]):
             return float(f.min())
         found = minimize_scalar(
-            lambda t: float(_radius(point, normal, edge.point([t]))[0]), bounds=(low, high), method="bounded"
+            lambda t: float(_radius(point, normal, edge.point([t]))[0]),
+            bounds=(low, high),
+            method="bounded",
+            options={"xatol": 1e-13},
         )
         return min(float(f.min()), float(found.fun))
 
@@ -99,13 +102,13 @@ def _parameters(edge: Edge) -> Floats:
 def check_definition(profile: Profile, axis: MedialAxis, seed: int, count: int) -> None:
     """At random places of the boundary the axis has the disc that brute force finds, on one of its branches."""
     oracle, diagonal = Oracle(profile), profile.diagonal
-    step = diagonal / 50
+    step, tol = diagonal / 50, 1e-10 * diagonal + float(axis.discs.tolerance.max())
     tree = cKDTree(samples_of(sampled_branches(axis, step))[:, :2] if axis.branches else axis.nodes.centre)
     for element, t, number, u in random_places(axis, np.random.default_rng(seed), count):
         expected = oracle.disc(number, u)
         actual, twin = disc_of_axis(axis, element, t)
         assert np.max(np.abs(actual - expected)) <= 1e-6 * diagonal
-        assert abs(np.hypot(*(twin - actual[:2])) - actual[2]) <= 1e-10 * diagonal
+        assert abs(np.hypot(*(twin - actual[:2])) - actual[2]) <= tol
         assert tree.query(expected[:2])[0] <= step
 
 

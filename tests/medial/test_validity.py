@@ -1,8 +1,12 @@
 """What bounds no domain is refused, with its kind and its place."""
 
+from contextlib import suppress
+
 import numpy as np
 import pytest
 from catalogue import NAMED, box, circle, polygon, profile_of, slot
+from invariants import check_axis
+from oracle import check_restored
 
 from mashape_cad.errors import InvalidProfileError
 from mashape_cad.geometry.edge import Arc, BSpline, Line, Similarity
@@ -124,6 +128,24 @@ def test_a_line_that_runs_out_and_back():
     assert _refused(Profile(polygon([(0, 0), (4, 0), (2, 0), (2, 2), (0, 2)]))).kind in {"cusp", "crossing"}
     slit = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 1), (2, 2), (0, 2)]
     assert _refused(Profile(polygon(slit))).kind in {"cusp", "crossing"}
+
+
+@pytest.mark.parametrize("poles", [[(1, 0), (-1, 1), (1, 1), (-1, 0)], [(1, 0), (1, 0), (0.5, 1), (-1, 0)]])
+def test_a_curve_that_stands_still(poles):
+    """Inside (a cusp of its own), or at its end (two poles in one place): refused, or done right."""
+    cap = BSpline.of(3, [0, 0, 0, 0, 1, 1, 1, 1], poles)
+    below = (Line.of((-1, 0), (-1, -2)), Line.of((-1, -2), (1, -2)), Line.of((1, -2), (1, 0)))
+    profile = Profile.of(Loop((cap, *below)))
+    with suppress(InvalidProfileError):
+        axis = medial_axis(profile)
+        check_axis(profile, axis)
+        check_restored(profile, axis)
+
+
+@pytest.mark.parametrize("profile", [Profile(_BOX.reversed()), Profile(_BOX, (circle(5, 3, 1),))])
+def test_a_loop_that_runs_the_wrong_way(profile):
+    """The interior has to lie on the left; `Profile.of` sees to that, the bare constructor does not."""
+    assert isinstance(_refused(profile), InvalidProfileError)
 
 
 def test_a_profile_of_no_size():
