@@ -225,8 +225,8 @@ def check_drawn(data: st.DataObject, strategy: st.SearchStrategy[Profile], place
     check_definition(profile, axis, seed=1, count=places)
 
 
-# An arc that its neighbours cut by up to 1e-8 of the size is taken for whole, with that tolerance on record; samples beside
-# such an arc may miss by more than the tests ask for, or the kernel's check refuses the axis. Known, not yet mended.
+# An arc that its neighbours cut by up to 1e-8 of the size is taken for whole, with that tolerance on record; samples
+# beside such an arc may miss by more than the tests ask for, or the kernel's check refuses the axis. Not yet mended.
 _FAMILIES = [
     pytest.param(name, marks=pytest.mark.xfail(reason="arcs cut by about 1e-8 of the size", strict=False))
     if name == "slightly cut"
