@@ -13,7 +13,7 @@ O. Aichholzer et al., Medial axis computation for planar free-form shapes, Compu
 
 import numpy as np
 
-from mashape_cad.errors import AxisError
+from mashape_cad.errors import AxisError, InvalidProfileError
 from mashape_cad.geometry.profile import Profile
 from mashape_cad.medial.assembly import assembled, single_disc
 from mashape_cad.medial.cutting import cut
@@ -45,14 +45,19 @@ def medial_axis(profile: Profile) -> MedialAxis:
     Raises
     ------
     InvalidProfileError
-        If the boundary crosses or touches itself, is open, or has an edge without length.
+        If the boundary crosses or touches itself, is open, runs the wrong way round, or has an edge without length or
+        a point at which it stands still.
     AxisError
         If the axis could not be completed, or the kernel does not confirm one of its discs.
     """
     boundary, frame = tour(profile)
     try:
         check_simple(boundary, frame)
+        _check_orientation(profile)
         faces = cut(boundary)
+    except ZeroDivisionError:
+        # Compiled code divides by the speed of a curve, which vanishes nowhere else.
+        raise InvalidProfileError("cusp", "a curve of the outline stands still: it has a cusp of its own") from None
     except AxisError as error:
         raise AxisError(_placed(str(error), error.place, frame), _in_mm(error.place, frame)) from None
     if isinstance(faces, SettledDisc):
@@ -61,6 +66,11 @@ def medial_axis(profile: Profile) -> MedialAxis:
         axis = assembled(profile, boundary, frame, faces)
     _check_confirmed(axis)
     return axis
+
+
+def _check_orientation(profile: Profile) -> None:
+    if profile.outer.signed_area <= 0 or any(hole.signed_area >= 0 for hole in profile.holes):
+        raise InvalidProfileError("degenerate", "a loop runs the wrong way round; make the profile by Profile.of")
 
 
 def _check_confirmed(axis: MedialAxis) -> None:
