@@ -1,5 +1,6 @@
 """The parts that a newcomer sees first."""
 
+import re
 import subprocess
 import sys
 from collections import Counter
@@ -83,10 +84,18 @@ def test_a_solid_has_the_outline_of_its_drawing(samples):
 
 @pytest.mark.slow
 def test_the_script_makes_the_same_files_again(samples, repository, tmp_path):
-    """To the last byte, so that a change of a drawing shows as one."""
+    """So that a change of a drawing shows as one; last digits of a float differ from processor to processor."""
     script = repository / "samples" / "make_samples.py"
     subprocess.run([sys.executable, script, tmp_path], check=True, cwd=repository, env={"PYTHONPATH": str(repository)})
-    made = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
-    shipped = {path.name: path.read_bytes() for path in samples.iterdir() if path.suffix in {".dxf", ".step"}}
+    made = {path.name: words_and_numbers(path) for path in tmp_path.iterdir()}
+    shipped = {path.name: words_and_numbers(path) for path in samples.iterdir() if path.suffix in {".dxf", ".step"}}
     assert sorted(made) == sorted(shipped)
-    assert [name for name, content in made.items() if shipped[name] != content] == []
+    for name, (words, numbers) in made.items():
+        assert words == shipped[name][0], name
+        assert numbers == pytest.approx(shipped[name][1], rel=0, abs=1e-11), name
+
+
+def words_and_numbers(path):
+    """Split a text file into what stands between decimal fractions, and these."""
+    parts = re.split(r"(-?\d+\.\d*(?:[Ee][-+]?\d+)?)", path.read_text(encoding="utf-8"))
+    return parts[::2], [float(part) for part in parts[1::2]]

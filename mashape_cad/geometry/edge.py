@@ -283,10 +283,13 @@ class EllipseArc(Edge):
         return replace(self, sweep=u * self.sweep), rest
 
     def area_integral(self) -> float:
-        """See `Edge.area_integral`; exact: the centre's part and the sector's."""
-        (x, y), (dx, dy) = self.centre, self.end - self.start
+        """See `Edge.area_integral`; exact: the chord's part and the segment's.
+
+        The centre's part and the sector's would do too, but on a nearly straight arc both are huge and cancel.
+        """
+        (ax, ay), (bx, by) = self.start, self.end
         sector = self.axis_a[0] * self.axis_b[1] - self.axis_a[1] * self.axis_b[0]
-        return float(x * dy - y * dx + sector * self.sweep) / 2
+        return float(ax * by - ay * bx + sector * (self.sweep - np.sin(self.sweep))) / 2
 
     def spans(self) -> tuple[Floats, Floats]:
         """See `Edge.spans`; rational quadratics of at most 90 degrees (The NURBS Book, section 7.3)."""

@@ -26,6 +26,9 @@ _KINK = 1e-6
 # Of the curve's size: what stays closer to a line or a circle is one. Ends that are this close count as the same point
 # too, and nine written digits do not tell more.
 _SAME_CURVE = 1e-9
+# Radius over size. A flatter piece stays a spline: its centre would lie so far away that rounding it moves the arc by
+# more than the piece deviates from one.
+_FLATTEST_ARC = 1e5
 # Of the knot range: knots that differ by less were meant to be equal (a file's digits rounded them apart).
 _SAME_KNOT = 1e-10
 
@@ -213,6 +216,8 @@ def _as_arc(spline: BSpline) -> Arc | None:
         return None
     spokes = points[:, 0] + 1j * points[:, 1] - centre
     radius = abs(spokes[0])
+    if radius > _FLATTEST_ARC * _size(spline):
+        return None
     if np.abs(np.abs(spokes) - radius).max() > _SAME_CURVE * min(radius, _size(spline)):
         return None
     turns = np.angle(spokes[1:] / spokes[:-1])

@@ -96,6 +96,16 @@ def test_length_and_area_integral_are_those_of_fine_polylines(edge):
     assert edge.area_integral() == pytest.approx((x * dy - y * dx).sum() / 2, rel=1e-6, abs=1e-6)
 
 
+def test_the_area_beside_a_flat_arc_keeps_its_digits():
+    """The sector of a giant circle less its triangle cancelled all of them."""
+    chord, bow = 6.0, 1e-4
+    radius = chord**2 / (8 * bow)
+    half = np.arcsin(chord / 2 / radius)
+    arc = Arc.of([1.0, 2.0 - radius], radius, np.pi / 2 + half, -2 * half)
+    under = Line.of(arc.end, arc.start).area_integral() + arc.area_integral()
+    assert under == pytest.approx(-2 / 3 * chord * bow, rel=1e-6)
+
+
 def test_bounds_hold_the_curve_and_are_tight(edge):
     """Never too small, and at most a hundredth too large."""
     points = edge.point(np.linspace(0, 1, 2001))

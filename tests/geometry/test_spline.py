@@ -112,6 +112,15 @@ def test_a_straight_cubic_becomes_a_line():
     assert tuple(line.last) == (6, 6)
 
 
+def test_a_curve_that_is_almost_straight_does_not_become_an_arc_of_a_giant_circle():
+    """Middle pole off by a file's digits: the arc's radius of 24 km moved its ends, and the area by 0.1 mm2."""
+    first, last = np.array([5.513829, 23.166527]), np.array([9.678535, 19.204743])
+    middle = (first + last) / 2 + 1.7e-7
+    (edge,) = spline_edges(2, [0, 0, 0, 1, 1, 1], [first, middle, last])
+    assert edge.area_integral() == pytest.approx(Line.of(first, last).area_integral(), abs=1e-5)
+    assert np.linalg.norm([edge.start - first, edge.end - last]) <= 1e-14
+
+
 def test_a_straight_curve_that_turns_back_stays_a_spline():
     """Its poles lie on a line, but it runs past its end and returns."""
     edges = spline_edges(2, [0, 0, 0, 1, 1, 1], [(0, 0), (10, 0), (6, 0)])
