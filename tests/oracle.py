@@ -29,6 +29,7 @@ class Oracle:
         self.curves = [KernelCurve(edge) for edge in profile.edges]
         self.u = [_parameters(edge) for edge in profile.edges]
         self.points = [edge.point(u) for edge, u in zip(profile.edges, self.u, strict=True)]
+        self.beside = _neighbours(profile)
 
     def radius(self, number: int, u: float) -> float:
         """Radius of the maximal disc at a place: min |q - p|^2 / (2 n.(q - p)), at most the radius of curvature."""
@@ -36,9 +37,10 @@ class Oracle:
         normal = np.array([-tangent[1], tangent[0]]) / np.hypot(*tangent)
         bend = float(self.curves[number].curvature([u])[0])
         best = 1 / bend if bend > 0 else np.inf
-        valleys = sorted(self._valleys(point, normal))
-        for value, e, low, high in valleys[:12]:
-            if value > 2 * best:
+        # Next to a vertex samples say little of how low the valley between them is.
+        valleys = sorted(self._valleys(point, normal), key=lambda row: (row[1] not in self.beside[number], row[0]))
+        for value, e, low, high in valleys:
+            if value > 2 * best and e not in self.beside[number]:
                 break
             # Right at p the quotient is 0 / 0; what it tends to is the radius of curvature, which is counted already.
             skip = (u - 5e-4, u + 5e-4) if e == number else (2.0, 2.0)
@@ -82,6 +84,16 @@ class Oracle:
             options={"xatol": 1e-13},
         )
         return min(float(f.min()), float(found.fun))
+
+
+def _neighbours(profile: Profile) -> list[set[int]]:
+    """Each edge with those before and after it on its loop."""
+    first, found = 0, []
+    for loop in profile.loops:
+        count = len(loop.edges)
+        found += [{first + (k + step) % count for step in (-1, 0, 1)} for k in range(count)]
+        first += count
+    return found
 
 
 def _radius(point: Floats, normal: Floats, others: Floats) -> Floats:

@@ -153,8 +153,8 @@ def nearly_concentric(draw: DrawFn) -> Profile:
 
 @st.composite
 def nearly_round(draw: DrawFn) -> Profile:
-    """Ellipses that are nearly circles: a short branch, or one disc."""
-    half = EllipseArc(frozen([0, 0]), frozen([1, 0]), frozen([0, 1 - draw(_powers(1, 8))]), 0.0, TAU)
+    """Ellipses that are nearly circles: a short branch."""
+    half = EllipseArc(frozen([0, 0]), frozen([1, 0]), frozen([0, 1 - draw(_powers(1, 6))]), 0.0, TAU)
     return Profile.of(Loop((half,)))
 
 
