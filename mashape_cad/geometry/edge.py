@@ -11,6 +11,7 @@ L. Piegl, W. Tiller, The NURBS Book, 2nd ed., Springer 1997: section 7.3 (arcs a
 (Bezier decomposition, done here by `scipy.interpolate.insert`).
 """
 
+import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, replace
 
@@ -293,18 +294,23 @@ class EllipseArc(Edge):
 
     def spans(self) -> tuple[Floats, Floats]:
         """See `Edge.spans`; rational quadratics of at most 90 degrees (The NURBS Book, section 7.3)."""
-        count = max(1, int(np.ceil(abs(self.sweep) / _MAX_ARC_SPAN)))
-        breaks = np.linspace(0.0, 1.0, count + 1)
-        angle = self.start_angle + breaks * self.sweep
-        weight = np.cos(self.sweep / count / 2)
-        shoulder = (angle[1:] + angle[:-1]) / 2
-        control = np.empty((count, 3, 3))
-        for column, (t, w, reach) in enumerate(
-            [(angle[:-1], 1.0, 1.0), (shoulder, weight, 1.0 / weight), (angle[1:], 1.0, 1.0)]
-        ):
-            points = self.centre + reach * (np.cos(t)[:, None] * self.axis_a + np.sin(t)[:, None] * self.axis_b)
-            control[:, column, :2], control[:, column, 2] = w * points, w
-        return control, breaks
+        count = max(1, math.ceil(abs(self.sweep) / _MAX_ARC_SPAN))
+        (x, y), (ax, ay), (bx, by) = self.centre.tolist(), self.axis_a.tolist(), self.axis_b.tolist()
+        weight = math.cos(self.sweep / count / 2)
+        control = np.ones((count, 3, 3))
+        control[:, 1, 2] = weight
+        for i in range(2 * count + 1):  # ends, and between them the points where neighbouring tangents meet
+            angle = self.start_angle + i * self.sweep / (2 * count)
+            cos, sin = math.cos(angle), math.sin(angle)
+            if i % 2:
+                control[i // 2, 1, :2] = weight * x + cos * ax + sin * bx, weight * y + cos * ay + sin * by
+                continue
+            point = x + cos * ax + sin * bx, y + cos * ay + sin * by
+            if i > 0:
+                control[i // 2 - 1, 2, :2] = point
+            if i < 2 * count:
+                control[i // 2, 0, :2] = point
+        return control, np.linspace(0.0, 1.0, count + 1)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -431,17 +437,45 @@ class BSpline(Edge):
 
     def spans(self) -> tuple[Floats, Floats]:
         """See `Edge.spans`."""
-        knots, homogeneous = self.knots, self._homogeneous()
-        inner = np.unique(knots[self.degree : -self.degree])
-        for knot in inner[1:-1]:
-            knots, homogeneous = _with_multiplicity(self.degree, knots, homogeneous, knot, self.degree)
+        if len(self.poles) == self.degree + 1:
+            return self._homogeneous()[None], np.array([0.0, 1.0])
         # Knots that occur degree + 1 times inside (a C(-1) spline) never pass `pieces_without_kinks`.
-        count = len(inner) - 1
-        control = np.stack([homogeneous[i * self.degree : (i + 1) * self.degree + 1] for i in range(count)])
-        return control, (inner - inner[0]) / (inner[-1] - inner[0])
+        first = np.flatnonzero(np.diff(self.knots[self.degree : -self.degree]) > 0) + self.degree
+        breaks = self.knots[np.append(first, len(self.knots) - 1)]
+        return _bezier_pieces(self.degree, self.knots, self._homogeneous(), first), _fractions(breaks)
 
     def _homogeneous(self) -> Floats:
-        return np.column_stack([self.poles * self.weights[:, None], self.weights])
+        """Poles as rows (w x, w y, w)."""
+        rows = np.empty((len(self.poles), 3))
+        rows[:, 2] = self.weights
+        rows[:, :2] = self.poles * rows[:, 2:]
+        return rows
+
+
+def _fractions(knots: Floats) -> Floats:
+    return (knots - knots[0]) / (knots[-1] - knots[0])
+
+
+def _bezier_pieces(degree: int, knots: Floats, homogeneous: Floats, first: NDArray[np.intp]) -> Floats:
+    """Return the Bezier control points of all spans: (k, degree + 1, 3), by blossoms.
+
+    Point m of the span [a, b] is the spline's blossom at degree - m times a and m times b; de Boor's scheme evaluates
+    it. `first` holds the number of the last knot at the start of each span.
+    """
+    local = homogeneous[first[:, None] + np.arange(-degree, 1)]
+    before, behind = knots[first[:, None] + np.arange(-degree, 1)], knots[first[:, None] + np.arange(1, degree + 1)]
+    shares = []  # of the later point in round r, for both ends of a span
+    for r in range(degree):
+        low, high = before[:, r + 1 :], behind[:, : degree - r]
+        shares.append([((u - low) / (high - low))[..., None] for u in (before[:, -1:], behind[:, :1])])
+    control = np.empty_like(local)
+    for m in range(degree + 1):
+        row = local
+        for r in range(degree):
+            share = shares[r][int(r < m)]
+            row = (1.0 - share) * row[:, :-1] + share * row[:, 1:]
+        control[:, m] = row[:, 0]
+    return control
 
 
 def _halved(control: Floats) -> Floats:

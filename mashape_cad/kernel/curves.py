@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
-from OCP.Geom2d import Geom2d_BSplineCurve, Geom2d_Circle, Geom2d_Curve, Geom2d_Ellipse, Geom2d_Line
+from OCP.Geom2d import Geom2d_BezierCurve, Geom2d_BSplineCurve, Geom2d_Circle, Geom2d_Curve, Geom2d_Ellipse, Geom2d_Line
 from OCP.Geom2dAdaptor import Geom2dAdaptor_Curve
 from OCP.gp import gp_Ax22d, gp_Dir2d, gp_Pnt2d, gp_Vec2d
 from OCP.TColgp import TColgp_Array1OfPnt2d
@@ -17,7 +17,7 @@ from OCP.TColStd import TColStd_Array1OfInteger, TColStd_Array1OfReal
 
 from mashape_cad.geometry.edge import Arc, BSpline, Edge, EllipseArc, Floats, Line
 
-__all__ = ["KernelCurve", "Twin"]
+__all__ = ["KernelCurve", "Twin", "bezier"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -143,26 +143,49 @@ def _ellipse(edge: EllipseArc) -> Twin:
 
 
 def _spline(edge: BSpline) -> Geom2d_BSplineCurve:
-    knots, counts = np.unique(edge.knots, return_counts=True)
-    poles = TColgp_Array1OfPnt2d(1, len(edge.poles))
-    for index, pole in enumerate(edge.poles, start=1):
-        poles.SetValue(index, _point(pole))
+    knots, counts = _distinct(edge.knots.tolist())
     # The kernel counts end knots degree + 1 times, as we do.
     arguments = (_reals(knots), _integers(counts), edge.degree)
     if edge.is_rational:
-        return Geom2d_BSplineCurve(poles, _reals(edge.weights), *arguments)
-    return Geom2d_BSplineCurve(poles, *arguments)
+        return Geom2d_BSplineCurve(_points(edge.poles), _reals(edge.weights.tolist()), *arguments)
+    return Geom2d_BSplineCurve(_points(edge.poles), *arguments)
 
 
-def _reals(values: Floats) -> TColStd_Array1OfReal:
+def _distinct(knots: list[float]) -> tuple[list[float], list[int]]:
+    """Return the different knots and how often each occurs."""
+    values, counts = [knots[0]], [0]
+    for knot in knots:
+        if knot == values[-1]:
+            counts[-1] += 1
+        else:
+            values.append(knot)
+            counts.append(1)
+    return values, counts
+
+
+def bezier(poles: Floats, weights: Floats) -> Geom2d_BezierCurve:
+    """Make the kernel's Bezier curve of poles (n, 2) and weights (n,)."""
+    if np.ptp(weights) == 0.0:
+        return Geom2d_BezierCurve(_points(poles))
+    return Geom2d_BezierCurve(_points(poles), _reals(weights.tolist()))
+
+
+def _points(poles: Floats) -> TColgp_Array1OfPnt2d:
+    array = TColgp_Array1OfPnt2d(1, len(poles))
+    for index, (x, y) in enumerate(poles.tolist(), start=1):
+        array.SetValue(index, gp_Pnt2d(x, y))
+    return array
+
+
+def _reals(values: list[float]) -> TColStd_Array1OfReal:
     array = TColStd_Array1OfReal(1, len(values))
-    for index, value in enumerate(values.tolist(), start=1):
+    for index, value in enumerate(values, start=1):
         array.SetValue(index, value)
     return array
 
 
-def _integers(values: np.ndarray) -> TColStd_Array1OfInteger:
+def _integers(values: list[int]) -> TColStd_Array1OfInteger:
     array = TColStd_Array1OfInteger(1, len(values))
-    for index, value in enumerate(values.tolist(), start=1):
+    for index, value in enumerate(values, start=1):
         array.SetValue(index, value)
     return array

@@ -14,11 +14,9 @@ from OCP.Geom2d import Geom2d_BezierCurve
 from OCP.Geom2dAdaptor import Geom2dAdaptor_Curve
 from OCP.Geom2dConvert import Geom2dConvert_BSplineCurveToBezierCurve
 from OCP.gp import gp_Pnt2d
-from OCP.TColgp import TColgp_Array1OfPnt2d
-from OCP.TColStd import TColStd_Array1OfReal
 
 from mashape_cad.geometry.edge import Arc, BSpline, Edge, Floats, Line
-from mashape_cad.kernel.curves import Twin
+from mashape_cad.kernel.curves import Twin, bezier
 
 __all__ = ["SAMPLES", "Piece", "pieces_of"]
 
@@ -99,15 +97,7 @@ def _bezier_curves(edge: Edge, twin: Twin, controls: Floats) -> list[Geom2d_Bezi
     if isinstance(edge, BSpline):
         convert = Geom2dConvert_BSplineCurveToBezierCurve(twin.curve)
         return [convert.Arc(index) for index in range(1, convert.NbArcs() + 1)]
-    return [_bezier_curve(control) for control in controls]
-
-
-def _bezier_curve(control: Floats) -> Geom2d_BezierCurve:
-    poles, weights = TColgp_Array1OfPnt2d(1, len(control)), TColStd_Array1OfReal(1, len(control))
-    for index, (x, y, w) in enumerate(control.tolist(), start=1):
-        poles.SetValue(index, gp_Pnt2d(x / w, y / w))
-        weights.SetValue(index, w)
-    return Geom2d_BezierCurve(poles, weights)
+    return [bezier(control[:, :2] / control[:, 2:], control[:, 2]) for control in controls]
 
 
 def _control(curve: Geom2d_BezierCurve) -> Floats:

@@ -3,57 +3,67 @@
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
-from mashape_cad.errors import AxisError
-from mashape_cad.geometry.edge import EllipseArc, Floats
+from mashape_cad.geometry.edge import Floats
 from mashape_cad.geometry.profile import Profile
-from mashape_cad.kernel import DistanceQuery
-from mashape_cad.medial.ends import Place, SettledDisc
-from mashape_cad.medial.faces import Faces
+from mashape_cad.kernel import DistanceQuery, clearances
+from mashape_cad.medial.compiled import compiled
+from mashape_cad.medial.emptiness import spans_near
+from mashape_cad.medial.faces import CONTACTS, DISCS, Faces
+from mashape_cad.medial.faces import stretch as gap_stretch
 from mashape_cad.medial.graph import Branch, Contacts, Discs, MedialAxis, Nodes, Pieces
 from mashape_cad.medial.tour import Frame, Ints, Tour, site
 
 __all__ = ["assembled", "foot", "single_disc"]
 
+# Spans that may come this near to a disc (sizes) are shown to the kernel. Where it finds nothing as near, it has
+# overlooked something and is asked again, at length.
+_NEAR = 1e-9
+
 
 def assembled(profile: Profile, tour: Tour, frame: Frame, faces: Faces) -> MedialAxis:
     """Make the medial axis of a domain whose faces all have two gaps."""
-    pieces, side_of_gap = _pieces(faces)
-    degree = np.bincount(faces.disc_of, minlength=len(faces.discs))
+    element, low, high, ends, piece_of, side_of = _pieces(tour, faces)
+    pieces = Pieces(element, low, high, ends)
+    contacts = _contacts(faces, piece_of, side_of)
+    degree = np.bincount(contacts.disc, minlength=int(faces.used[DISCS]))
     node_discs = np.flatnonzero(degree != 2)
     if not len(node_discs):
         node_discs = np.array([0])  # a branch that closes on itself has no node of its own
-    nodes_of = {int(disc): node for node, disc in enumerate(node_discs)}
-    branches = _branches(pieces, nodes_of)
-    discs = _discs(profile, tour, frame, faces.discs, degree)
-    kinds = tuple({1: "end", 2: "seam"}.get(int(degree[d]), "junction") for d in node_discs)
+    discs = _discs(profile, tour, frame, faces, contacts, degree)
+    kinds = tuple({1: "end", 2: "seam"}.get(d, "junction") for d in degree[node_discs].tolist())
     nodes = Nodes(discs.centre[node_discs], discs.radius[node_discs], degree[node_discs], kinds, node_discs)
-    return MedialAxis(profile, nodes, branches, discs, _contacts(faces, side_of_gap), pieces, tour, frame)
+    return MedialAxis(profile, nodes, _branches(pieces, node_discs), discs, contacts, pieces, tour, frame)
 
 
-def single_disc(profile: Profile, tour: Tour, frame: Frame, disc: SettledDisc) -> MedialAxis:
+def single_disc(profile: Profile, tour: Tour, frame: Frame, faces: Faces) -> MedialAxis:
     """Make the medial axis of a domain that is one disc: one node, no branch."""
-    whole = SettledDisc(disc.x, disc.y, disc.r, (((0, 0.0), (0, 0.0)),), disc.kind, disc.tol)
-    discs = _discs(profile, tour, frame, [whole], np.zeros(1, dtype=np.int64))
-    nodes = Nodes(discs.centre, discs.radius, np.zeros(1, dtype=np.int64), ("disc",), np.zeros(1, dtype=np.int64))
-    none = np.zeros((0, 2))
-    no_index = np.zeros((0, 2), dtype=np.int64)
     zero = np.zeros(1, dtype=np.int64)
     around = np.array([[len(tour.degree), 0.0]])
     contacts = Contacts(np.zeros((1, 2)), around, zero, zero - 1, zero)
+    discs = _discs(profile, tour, frame, faces, contacts, zero)
+    nodes = Nodes(discs.centre, discs.radius, zero, ("disc",), zero)
+    none, no_index = np.zeros((0, 2)), np.zeros((0, 2), dtype=np.int64)
     return MedialAxis(profile, nodes, (), discs, contacts, Pieces(no_index, none, none, no_index), tour, frame)
 
 
-def foot(profile: Profile, tour: Tour, place: Place) -> tuple[int, float]:
-    """Return a place as an edge of the profile and its parameter."""
+def foot(tour: Tour, place: tuple[int, float]) -> tuple[int, float]:
+    """Return a place as the number of an edge of the profile and its parameter."""
     e, t = place
-    start, end = float(tour.edge_from[e]), float(tour.edge_to[e])
-    edge = profile.edges[int(tour.edge[e])]
-    if tour.degree[e] > 0 and isinstance(edge, EllipseArc) and 0.0 < t < 1.0:
-        t = _angle_fraction(t, (end - start) * edge.sweep)
-    return int(tour.edge[e]), start + t * (end - start)  # a cone lies at the start of its edge
+    return int(tour.edge[e]), float(_edge_parameter(tour, e, t))
 
 
+@compiled
+def _edge_parameter(tour: Tour, e: int, t: float) -> float:
+    """Parameter ``u`` of a place on its edge; a cone lies at the start of its edge."""
+    start, end = tour.edge_from[e], tour.edge_to[e]
+    if tour.angle[e] != 0.0 and 0.0 < t < 1.0:
+        t = _angle_fraction(t, tour.angle[e])
+    return start + t * (end - start)
+
+
+@compiled
 def _angle_fraction(t: float, angle: float) -> float:
     """Fraction of the angle at parameter t of a rational quadratic arc: its parameter is not linear in the angle."""
     half = abs(angle) / 2
@@ -65,86 +75,140 @@ def _angle_fraction(t: float, angle: float) -> float:
     return (math.atan2(y, x) + half) / (2 * half)
 
 
-def _pieces(faces: Faces) -> tuple[Pieces, dict[int, tuple[int, int]]]:
-    """Return the pieces, and of which piece, and which side of it, each gap is the boundary."""
-    rows = []
-    side_of_gap: dict[int, tuple[int, int]] = {}
-    for number, face in enumerate(faces.faces):
-        sides = [faces.stretch(gap) for gap in face]
-        if len(face) != 2 or sides[0] is None or sides[1] is None:
-            raise AxisError("a face was left unresolved")
-        side_of_gap |= {gap: (number, side) for side, gap in enumerate(face)}
+@compiled
+def _pieces(tour: Tour, faces: Faces) -> tuple[Ints, Floats, Floats, Ints, Ints, Ints]:
+    """Return the pieces as arrays (see `Pieces`), and of which piece, and which side, each gap is the boundary."""
+    n = faces.used[CONTACTS]
+    element, low, high = np.empty((n // 2, 2), np.int64), np.empty((n // 2, 2)), np.empty((n // 2, 2))
+    ends, piece_of, side_of = np.empty((n // 2, 2), np.int64), np.full(n, -1), np.zeros(n, np.int64)
+    piece = 0
+    for gap in range(n):
+        if piece_of[gap] >= 0:
+            continue
+        other = faces.clockwise[faces.after[gap]]
+        _, element[piece, 0], low[piece, 0], high[piece, 0] = gap_stretch(tour, faces, gap)
+        _, element[piece, 1], low[piece, 1], high[piece, 1] = gap_stretch(tour, faces, other)
         # Along the first gap the piece runs from the disc where that gap starts to the disc where it ends.
-        rows.append((sides[0], sides[1], faces.disc_of[face[0]], faces.disc_of[faces.after[face[0]]]))
-    pieces = Pieces(
-        np.array([[a[0], b[0]] for a, b, _, _ in rows], dtype=np.int64),
-        np.array([[a[1], b[1]] for a, b, _, _ in rows]),
-        np.array([[a[2], b[2]] for a, b, _, _ in rows]),
-        np.array([[c, d] for _, _, c, d in rows], dtype=np.int64),
+        ends[piece, 0], ends[piece, 1] = faces.disc[gap], faces.disc[faces.after[gap]]
+        piece_of[gap], piece_of[other] = piece, piece
+        side_of[other] = 1
+        piece += 1
+    return element, low, high, ends, piece_of, side_of
+
+
+def _contacts(faces: Faces, piece_of: Ints, side_of: Ints) -> Contacts:
+    n = int(faces.used[CONTACTS])
+    order = np.lexsort((faces.first_t[:n], faces.first_e[:n]))
+    return Contacts(
+        np.column_stack([faces.first_e[order].astype(float), faces.first_t[order]]),
+        np.column_stack([faces.last_e[order].astype(float), faces.last_t[order]]),
+        faces.disc[order],
+        piece_of[order],
+        side_of[order],
     )
-    return pieces, side_of_gap
 
 
-def _branches(pieces: Pieces, node_of: dict[int, int]) -> tuple[Branch, ...]:
+def _branches(pieces: Pieces, node_discs: Ints) -> tuple[Branch, ...]:
     """Chain pieces between nodes."""
-    at_disc: dict[int, list[tuple[int, bool]]] = {}
-    for piece, (a, b) in enumerate(pieces.disc):
-        at_disc.setdefault(int(a), []).append((piece, True))
-        at_disc.setdefault(int(b), []).append((piece, False))
-    used: set[int] = set()
-    branches = []
-    for disc, node in node_of.items():
-        for piece, forward in at_disc.get(disc, []):
-            if piece in used:
+    node, first, steps, forward = _chains(pieces.disc, node_discs)
+    ends, rows = node.tolist(), list(zip(steps.tolist(), forward.tolist(), strict=True))
+    borders = [*first.tolist(), len(rows)]
+    return tuple(Branch(a, b, tuple(rows[borders[k] : borders[k + 1]])) for k, (a, b) in enumerate(ends))
+
+
+@compiled
+def _chains(ends: Ints, node_discs: Ints) -> tuple[Ints, Ints, Ints, NDArray[np.bool_]]:
+    """Follow pieces from node to node.
+
+    Returns
+    -------
+    node : (b, 2) array
+        Nodes at the ends of each branch.
+    first : (b,) array
+        Where its pieces start in the next two.
+    steps, forward : (p,) arrays
+        The pieces, and whether each is run through from its disc 0 to its disc 1.
+    """
+    p, discs = len(ends), ends.max() + 1
+    # Linked lists of half pieces at each disc: half 2 k leaves from disc 0 of piece k, half 2 k + 1 from its disc 1.
+    head, following = np.full(discs, -1), np.full(2 * p, -1)
+    for half in range(2 * p - 1, -1, -1):
+        d = ends[half // 2, half % 2]
+        following[half], head[d] = head[d], half
+    number_of = np.full(discs, -1)
+    for number in range(len(node_discs)):
+        number_of[node_discs[number]] = number
+    node, first = np.empty((p, 2), np.int64), np.empty(p, np.int64)
+    steps, forward, used = np.empty(p, np.int64), np.zeros(p, np.bool_), np.zeros(p, np.bool_)
+    branches, count = 0, 0
+    for number in range(len(node_discs)):
+        start = head[node_discs[number]]
+        while start >= 0:
+            half = start
+            start = following[start]
+            if used[half // 2]:
                 continue
-            chain = _chain(pieces, at_disc, node_of, used, (piece, forward))
-            last, onward = chain[-1]
-            branches.append(Branch(node, node_of[int(pieces.disc[last, int(onward)])], tuple(chain)))
-    return tuple(branches)
+            node[branches, 0], first[branches] = number, count
+            while True:
+                piece, side = half // 2, half % 2
+                used[piece], steps[count], forward[count] = True, piece, side == 0
+                count += 1
+                d = ends[piece, 1 - side]
+                if number_of[d] >= 0:
+                    break
+                half = head[d]
+                while used[half // 2]:
+                    half = following[half]
+            node[branches, 1] = number_of[d]
+            branches += 1
+    return node[:branches], first[:branches], steps, forward
 
 
-def _chain(
-    pieces: Pieces,
-    at_disc: dict[int, list[tuple[int, bool]]],
-    node_of: dict[int, int],
-    used: set[int],
-    step: tuple[int, bool],
-) -> list[tuple[int, bool]]:
-    """Follow pieces from a node to the next one."""
-    chain = [step]
-    used.add(step[0])
-    while (disc := int(pieces.disc[step[0], int(step[1])])) not in node_of:
-        step = next(other for other in at_disc[disc] if other[0] not in used)
-        used.add(step[0])
-        chain.append(step)
-    return chain
-
-
-def _discs(profile: Profile, tour: Tour, frame: Frame, settled: list[SettledDisc], degree: Ints) -> Discs:
+def _discs(profile: Profile, tour: Tour, frame: Frame, faces: Faces, contacts: Contacts, degree: Ints) -> Discs:
     """Scale discs back to mm and have the kernel measure each."""
-    centre: Floats = np.array([(d.x, d.y) for d in settled]) * frame.size + frame.middle
-    radius: Floats = np.array([d.r for d in settled]) * frame.size
-    places = [(d.contacts[0][0], d.contacts[1][0] if len(d.contacts) > 1 else d.contacts[0][1]) for d in settled]
-    feet = [[foot(profile, tour, place) for place in pair] for pair in places]
-    points: Floats = np.array([[site(tour, *place)[:2] for place in pair] for pair in places])
+    n = int(faces.used[DISCS])
+    x, y, r = faces.x[:n], faces.y[:n], faces.r[:n]
+    centre = np.column_stack([x, y]) * frame.size + frame.middle
+    feet, foot_edge, foot_u = _feet(tour, contacts.first, contacts.last, contacts.disc, n)
     return Discs(
         centre,
-        radius,
+        r * frame.size,
         degree,
-        points * frame.size + frame.middle,
-        np.array([[edge for edge, _ in pair] for pair in feet], dtype=np.int64),
-        np.array([[u for _, u in pair] for pair in feet]),
-        np.array([d.tol for d in settled]) * frame.size,
-        DistanceQuery(profile).distances(centre),
+        feet * frame.size + frame.middle,
+        foot_edge,
+        foot_u,
+        faces.tol[:n] * frame.size,
+        _clearance(profile, tour, frame, faces, centre),
     )
 
 
-def _contacts(faces: Faces, side_of_gap: dict[int, tuple[int, int]]) -> Contacts:
-    order = sorted(range(len(faces.contact)), key=lambda c: faces.contact[c][0])
-    return Contacts(
-        np.array([faces.contact[c][0] for c in order], dtype=float),
-        np.array([faces.contact[c][1] for c in order], dtype=float),
-        np.array([faces.disc_of[c] for c in order], dtype=np.int64),
-        np.array([side_of_gap[c][0] for c in order], dtype=np.int64),
-        np.array([side_of_gap[c][1] for c in order], dtype=np.int64),
-    )
+def _clearance(profile: Profile, tour: Tour, frame: Frame, faces: Faces, centre: Floats) -> Floats:
+    """Return the kernel's distance from each centre to the boundary, mm."""
+    n = int(faces.used[DISCS])
+    row, element = spans_near(tour, faces.x[:n], faces.y[:n], faces.r[:n], faces.tol[:n] + _NEAR)
+    spans = np.flatnonzero(tour.degree > 0)
+    piece = np.zeros(len(tour.degree), dtype=np.int64)
+    piece[spans] = np.arange(len(spans))
+    breaks = np.split(tour.edge_to[spans], np.flatnonzero(np.diff(tour.edge[spans])) + 1)
+    edges = [(edge, np.append(0.0, ends)) for edge, ends in zip(profile.edges, breaks, strict=True)]
+    found = clearances(edges, centre, row, piece[element])
+    doubtful = np.flatnonzero(found > (faces.r[:n] + faces.tol[:n] + _NEAR) * frame.size)
+    if len(doubtful):
+        found[doubtful] = DistanceQuery(profile).distances(centre[doubtful])
+    return found
+
+
+@compiled
+def _feet(tour: Tour, first: Floats, last: Floats, disc: Ints, discs: int) -> tuple[Floats, Ints, Floats]:
+    """Two footpoints of each disc: of its first two contacts, or the two ends of its only one."""
+    point, edge, u = np.empty((discs, 2, 2)), np.empty((discs, 2), np.int64), np.empty((discs, 2))
+    seen = np.zeros(discs, np.int64)
+    for c in range(len(disc)):
+        d = disc[c]
+        for k in range(seen[d], 2):
+            e, t = (int(last[c, 0]), last[c, 1]) if k == 1 and seen[d] == 0 else (int(first[c, 0]), first[c, 1])
+            e = e if e < len(tour.degree) else 0
+            point[d, k, 0], point[d, k, 1], _, _, _, _ = site(tour, e, t)
+            edge[d, k], u[d, k] = tour.edge[e], _edge_parameter(tour, e, t)
+        seen[d] += 1
+    return point, edge, u

@@ -13,11 +13,10 @@ O. Aichholzer et al., Medial axis computation for planar free-form shapes, Compu
 
 import numpy as np
 
-from mashape_cad.errors import AxisError, InvalidProfileError
+from mashape_cad.errors import AxisError
 from mashape_cad.geometry.profile import Profile
 from mashape_cad.medial.assembly import assembled, single_disc
 from mashape_cad.medial.cutting import cut
-from mashape_cad.medial.ends import SettledDisc
 from mashape_cad.medial.graph import MedialAxis
 from mashape_cad.medial.tour import Frame, tour
 from mashape_cad.medial.validity import check_simple
@@ -53,24 +52,12 @@ def medial_axis(profile: Profile) -> MedialAxis:
     boundary, frame = tour(profile)
     try:
         check_simple(boundary, frame)
-        _check_orientation(profile)
-        faces = cut(boundary)
-    except ZeroDivisionError:
-        # Compiled code divides by the speed of a curve, which vanishes nowhere else.
-        raise InvalidProfileError("cusp", "a curve of the outline stands still: it has a cusp of its own") from None
+        faces, is_disc = cut(boundary)
     except AxisError as error:
         raise AxisError(_placed(str(error), error.place, frame), _in_mm(error.place, frame)) from None
-    if isinstance(faces, SettledDisc):
-        axis = single_disc(profile, boundary, frame, faces)
-    else:
-        axis = assembled(profile, boundary, frame, faces)
+    axis = (single_disc if is_disc else assembled)(profile, boundary, frame, faces)
     _check_confirmed(axis)
     return axis
-
-
-def _check_orientation(profile: Profile) -> None:
-    if profile.outer.signed_area <= 0 or any(hole.signed_area >= 0 for hole in profile.holes):
-        raise InvalidProfileError("degenerate", "a loop runs the wrong way round; make the profile by Profile.of")
 
 
 def _check_confirmed(axis: MedialAxis) -> None:

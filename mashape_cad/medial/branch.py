@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from mashape_cad.geometry.edge import Floats
+from mashape_cad.medial.compiled import compiled
 from mashape_cad.medial.disc import twin_on_stretch
 from mashape_cad.medial.graph import Branch, MedialAxis
 from mashape_cad.medial.tour import Ints, Tour
@@ -108,7 +108,7 @@ def discs_on_piece(axis: MedialAxis, piece: int, t: Floats, side: int = 0) -> Fl
     )
 
 
-@njit(cache=True)
+@compiled
 def _discs_on_stretches(tour: Tour, e: int, t: Floats, f: int, low: float, high: float) -> Floats:
     out = np.empty((len(t), 4))
     for k in range(len(t)):

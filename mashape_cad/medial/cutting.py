@@ -2,24 +2,46 @@
 
 The steps, in order: the discs of all ends and of the links between loops; a station at every border, after which each
 gap lies on one element; in each face with three or more gaps a junction, found by Newton on three consecutive gaps (a
-tree with n ends has two neighbouring ends that share a junction, so some triple is one); where none is found, more
-stations.
+tree with n ends has two neighbouring ends that share a junction, so some triple is one); where none is found, a disc
+that touches all gaps of the face within a tolerance that is put on record; else more stations.
 """
 
 import math
-from collections import deque
-from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mashape_cad.errors import AxisError
 from mashape_cad.geometry.edge import Floats
-from mashape_cad.medial.disc import maximal_disc
-from mashape_cad.medial.emptiness import EMPTY, TOUCH, nearest_on_stretch, same_place, touching
-from mashape_cad.medial.ends import Place, SettledDisc, ends, one_contact
-from mashape_cad.medial.faces import Face, Faces
+from mashape_cad.medial.compiled import compiled
+from mashape_cad.medial.contact import one_contact
+from mashape_cad.medial.disc import maximal_disc, twin_on_stretch
+from mashape_cad.medial.emptiness import EMPTY, NO_SKIP, TOUCH, nearest_on_stretch, same_place, touching
+from mashape_cad.medial.ends import settle_ends
+from mashape_cad.medial.faces import (
+    CLUSTER,
+    CONTACTS,
+    DISCS,
+    JUNCTION,
+    LAID_OUT,
+    LOOSE_LOOP,
+    STATION,
+    Faces,
+    add_disc,
+    attach,
+    blank_faces,
+    corner,
+    cycle,
+    distinct_faces,
+    gap_at,
+    insert,
+    is_laid_out,
+    lay_out,
+    stretch,
+)
 from mashape_cad.medial.junction import junction_disc
-from mashape_cad.medial.links import links
+from mashape_cad.medial.links import settle_links
 from mashape_cad.medial.tour import Ints, Tour, site
 
 __all__ = ["cut"]
@@ -29,283 +51,413 @@ _SAME_DISC = 1e-9
 # A disc that touches all n gaps of a face within this is one vertex of degree n, its tolerance on record. Tighter
 # splits symmetric junctions into chains that rounding invents; looser merges true ones.
 _CLUSTER = 1e-8
-# A face whose gaps are all shorter than this may be contracted to one vertex as a last resort.
+# A face whose centres are all within this may be contracted to one vertex as a last resort.
 _STAR = 1e-6
 # Feet this far outside their gap (parameter) are put back inside; farther ones belong elsewhere.
 _SLACK = 1e-6
+# Feet put back inside a gap lie this far (parameter) from its ends, or a quarter of a shorter gap.
+_INSIDE = 1e-12
 # Where a gap is cut when a face has to be made smaller: off the middle, since drawings like symmetry.
 _CUT_AT = 0.487
+# How often a face is cut by stations before it is given up.
 _ROUNDS = 30
+# First guesses for a junction near a vertex that turns by a small angle: shares of a neighbouring disc's radius.
+_SHARES = (1.0, 0.5, 0.25)
+
+# How cutting may end.
+_DONE, _STUCK = 0, 1
 
 
-def cut(tour: Tour) -> Faces | SettledDisc:
-    """Cut a valid domain into faces of two gaps; a domain that is one disc gives that disc.
+def cut(tour: Tour) -> tuple[Faces, bool]:
+    """Cut a valid domain into faces of two gaps.
+
+    Returns
+    -------
+    faces : Faces
+    is_disc : bool
+        Whether the domain is one disc: then that is all there is, and nothing was cut.
 
     Raises
     ------
     AxisError
         If a face is left that neither a junction nor more stations resolve; with its place.
     """
-    first = ends(tour)
-    if first and first[0].is_full:
-        return first[0]
-    faces = Faces(tour, _united(first, links(tour)))
+    faces = blank_faces(tour)
+    if settle_ends(tour, faces):
+        return faces, True
+    settle_links(tour, faces)
+    outcome, number = lay_out(tour, faces)
+    if outcome == LOOSE_LOOP:
+        x, y, *_ = site(tour, int(np.argmax(tour.loop == number)), 0.0)
+        raise AxisError(f"no disc touches loop {number}", (x, y))
+    if outcome != LAID_OUT:
+        raise AxisError(f"the first discs cut the domain into {number} faces, which are not simply connected")
+    outcome, x, y = _cut_on(tour, faces)
+    if outcome == _STUCK:
+        raise AxisError("a face of the domain could not be cut further", (x, y))
+    return faces, False
+
+
+class _Feet(NamedTuple):
+    """What a disc touches of a face: for each of its gaps at most one place."""
+
+    known: NDArray[np.bool_]
+    e: Ints
+    t: Floats
+
+
+@compiled
+def _no_feet(n: int) -> _Feet:
+    return _Feet(np.zeros(n, np.bool_), np.empty(n, np.int64), np.empty(n))
+
+
+@compiled
+def _cut_on(tour: Tour, faces: Faces) -> tuple[int, float, float]:
+    """Cut from the first discs to the last; where a face resists, its place is returned."""
     for e in range(len(tour.degree)):
-        _add_station(tour, faces, (e, 0.0))
-    pending = deque((face, 0) for face in faces.faces)
-    budget = 40 * len(tour.degree) + 400
-    while pending:
-        face, age = pending.popleft()
-        if len(face) == 2 and all(faces.stretch(gap) for gap in face):
+        _add_station(tour, faces, e, 0.0)
+    most = len(faces.disc) // 3 - 2
+    pending, age = np.empty(len(faces.disc), np.int64), np.empty(len(faces.disc), np.int64)
+    top = 0
+    for gap in distinct_faces(faces, np.arange(faces.used[CONTACTS])):
+        pending[top], age[top] = gap, 0
+        top += 1
+    while top > 0:
+        top -= 1
+        gap, rounds = pending[top], age[top]
+        if is_laid_out(tour, faces, gap):
             continue
-        if len(face) < 2 or age > _ROUNDS or len(faces.discs) > budget:
-            raise AxisError("a face of the domain could not be resolved", _place_of(faces, face))
-        pending.extend(_resolved(tour, faces, face, age))
-    return faces
+        face = cycle(faces, gap)
+        progress, next_rounds, parts = False, rounds, face
+        if len(face) > 1 and rounds <= _ROUNDS and faces.used[DISCS] + 2 * len(face) < most:
+            progress, next_rounds, parts = _resolved(tour, faces, face, rounds)
+        if not progress:
+            x, y = _middle(faces, face)
+            return _STUCK, x, y
+        for part in distinct_faces(faces, parts):
+            pending[top], age[top] = part, next_rounds
+            top += 1
+    return _DONE, 0.0, 0.0
 
 
-def _united(first: list[SettledDisc], more: list[SettledDisc]) -> list[SettledDisc]:
-    """Join discs that are the same, with the contacts of both."""
-    united = list(first)
-    for disc in more:
-        k = next((k for k, other in enumerate(united) if other.r > 0 and _same(other, disc)), None)
-        if k is None:
-            united.append(disc)
-        else:
-            other = united[k]
-            contacts = tuple(dict.fromkeys((*other.contacts, *disc.contacts)))
-            united[k] = SettledDisc(other.x, other.y, other.r, contacts, other.kind, other.tol)
-    return united
+@compiled
+def _resolved(tour: Tour, faces: Faces, face: Ints, rounds: int) -> tuple[bool, int, Ints]:
+    """Split a face by a junction, else by a cluster, else by stations.
 
-
-def _resolved(tour: Tour, faces: Faces, face: Face, age: int) -> list[tuple[Face, int]]:
-    """Split a face by a junction, else by a cluster, else by stations."""
-    for disc, at in _vertices(tour, faces, face):
-        parts = _inserted(faces, disc, face, at)
-        if len(parts) > 1:
-            return [(part, 0) for part in parts]
-    known = len(faces.contact)
-    for gap in face:
-        _add_station(tour, faces, _inside(tour, faces, gap))
-    if len(faces.contact) > known:
-        parts = list(dict.fromkeys(faces.face_of(gap) for gap in (*face, *range(known, len(faces.contact)))))
-        return [(part, age + 1) for part in parts]
-    if len(face) > 2 and _extent(faces, face) < _STAR and (star := _cluster(tour, faces, face, _STAR)):
-        return [(part, 0) for part in _inserted(faces, star[0], face, star[1])]
-    raise AxisError("a face of the domain could not be cut further", _place_of(faces, face))
-
-
-def _vertices(tour: Tour, faces: Faces, face: Face) -> Iterator[tuple[SettledDisc, list[tuple[int, Place]]]]:
-    """Yield what may be a vertex in a face: its junctions, then one disc for all of its gaps."""
+    Returns
+    -------
+    progress : bool
+        Whether it was split, or its gaps were.
+    rounds : int
+        Rounds of stations that the parts have behind them.
+    parts : (k,) array
+        At least one gap of every part.
+    """
     if len(face) > 2:
-        yield from _junctions(tour, faces, face)
-    if len(face) > 3 and (found := _cluster(tour, faces, face, _CLUSTER)) is not None:
-        yield found
+        parts = _split_by_junction(tour, faces, face)
+        if len(parts) > 1:
+            return True, 0, parts
+    if len(face) > 3:
+        parts = _split_by_cluster(tour, faces, face, _CLUSTER)
+        if len(parts) > 1:
+            return True, 0, parts
+    if len(face) > 2 and (rounds == _ROUNDS or _extent(faces, face) < _CLUSTER):
+        parts = _split_by_corner(tour, faces, face)
+        if len(parts) > 1:
+            return True, 0, parts
+    known = faces.used[CONTACTS]
+    for gap in face:
+        on_one, e, low, high = stretch(tour, faces, gap)
+        if on_one:
+            _add_station(tour, faces, e, low + _CUT_AT * (high - low))
+        else:
+            _add_station(tour, faces, tour.after[e], 0.0)
+    if faces.used[CONTACTS] > known:
+        return True, rounds + 1, np.concatenate((face, np.arange(known, faces.used[CONTACTS])))
+    parts = _split_strip(tour, faces, face) if len(face) == 2 else _split_by_corner(tour, faces, face)
+    return len(parts) > 1, 0, parts
 
 
-def _inside(tour: Tour, faces: Faces, gap: int) -> Place:
-    """Return a place inside a gap: a border if it spans several elements."""
-    stretch = faces.stretch(gap)
-    if stretch is None:
-        (e, _), _ = faces.gap(gap)
-        return int(tour.after[e]), 0.0
-    e, low, high = stretch
-    return e, low + _CUT_AT * (high - low)
-
-
-def _add_station(tour: Tour, faces: Faces, place: Place) -> None:
+@compiled
+def _add_station(tour: Tour, faces: Faces, e: int, t: float) -> None:
     """Settle the maximal disc at a place, unless the place is a contact already."""
-    gap = faces.gap_at(place)
-    if gap is None:
+    gap = gap_at(tour, faces, e, t)
+    if gap < 0:
         return
-    face = faces.face_of(gap)
-    x, y, r, ok, count, element, t = maximal_disc(tour, *place)
-    if not ok or r <= 0.0:
+    x, y, r, ok, count, element, place_t = maximal_disc(tour, e, t)
+    if not ok or r <= 0.0 or count == 0:
         return
-    disc = SettledDisc(x, y, r, (), "station")
-    at = {face.index(gap): place}
+    face = cycle(faces, gap)
+    feet = _no_feet(len(face))
+    feet.known[0], feet.e[0], feet.t[0] = True, e, t
     for k in range(count):
-        fit = _fit(tour, faces, face, (int(element[k]), float(t[k])))
-        if fit is not None:
-            at.setdefault(*fit)
-    _inserted(faces, disc, face, sorted(at.items()))
+        _fit(tour, faces, face, element[k], place_t[k], feet)
+    _split(tour, faces, face, feet, x, y, r, STATION, TOUCH)
 
 
-def _fit(tour: Tour, faces: Faces, face: Face, place: Place) -> tuple[int, Place] | None:
-    """Find the gap of a face that holds a contact; one just outside is put back inside."""
-    gap = faces.gap_at(place)
-    if gap is not None and gap in face:
-        return face.index(gap), place
-    for k, other in enumerate(face):
-        stretch = faces.stretch(other)
-        if stretch is None:
+@compiled
+def _fit(tour: Tour, faces: Faces, face: Ints, e: int, t: float, feet: _Feet) -> None:
+    """Put a contact into the gap of the face that holds it; one just outside is put back inside, others are dropped.
+
+    So rounding cannot tangle the faces.
+    """
+    gap = gap_at(tour, faces, e, t)
+    for k in range(len(face)):
+        if face[k] == gap:
+            if not feet.known[k]:
+                feet.known[k], feet.e[k], feet.t[k] = True, e, t
+            return
+    for k in range(len(face)):
+        on_one, f, low, high = stretch(tour, faces, face[k])
+        if not on_one:
             continue
-        e, low, high = stretch
-        for f, s in (place, (int(tour.before[place[0]]), 1.0) if place[1] == 0.0 else place):
-            if f == e and low - _SLACK <= s <= high + _SLACK:
-                margin = min(1e-12, (high - low) / 4)
-                return k, (e, min(max(s, low + margin), high - margin))
-    return None
+        s = 1.0 if t == 0.0 and f == tour.before[e] and f != e else t
+        if (f == e or s == 1.0) and low - _SLACK <= s <= high + _SLACK:
+            if not feet.known[k]:
+                feet.known[k], feet.e[k], feet.t[k] = True, f, _inside(s, low, high)
+            return
 
 
-def _inserted(faces: Faces, disc: SettledDisc, face: Face, at: list[tuple[int, Place]]) -> list[Face]:
-    """Insert a disc; if a corner of the face is that disc already, and lacks contacts, give that one the new ones."""
-    for corner in range(len(face)):
-        number = faces.corner(face, corner)
-        lacking = [(k, place) for k, place in at if not _touches(faces, number, place)]
-        if lacking and _same(faces.discs[number], disc):
-            return _attached(faces, number, face, lacking)
-    return faces.insert(disc, face, at) if len(at) > 1 else [face]
+@compiled
+def _inside(t: float, low: float, high: float) -> float:
+    """Put a parameter strictly inside a stretch."""
+    margin = min(_INSIDE, (high - low) / 4)
+    return min(max(t, low + margin), high - margin)
 
 
-def _touches(faces: Faces, number: int, place: Place) -> bool:
-    """Whether a place is a contact of a disc already."""
-    disc = faces.discs[number]
-    return any(
-        one_contact(faces.tour, place, known, disc.x, disc.y, disc.r) for contact in disc.contacts for known in contact
-    )
+@compiled
+def _split(
+    tour: Tour, faces: Faces, face: Ints, feet: _Feet, x: float, y: float, r: float, kind: int, tol: float
+) -> Ints:
+    """Split a face by a disc, or give a corner of it that is the same disc the contacts that it lacks.
+
+    Returns
+    -------
+    (k,) array
+        At least one gap of every part; none if nothing was split.
+    """
+    for gap in face:
+        number = corner(faces, gap)
+        if math.hypot(faces.x[number] - x, faces.y[number] - y) + abs(faces.r[number] - r) <= _SAME_DISC:
+            parts = _completed(tour, faces, face, gap, feet)
+            if len(parts) > 0:
+                return parts
+    at = np.flatnonzero(feet.known)
+    if len(at) < 2:
+        return at[:0]
+    return insert(faces, add_disc(faces, x, y, r, kind, tol), face[at], feet.e[at], feet.t[at])
 
 
-def _attached(faces: Faces, number: int, face: Face, at: list[tuple[int, Place]]) -> list[Face]:
-    """Give a disc that is a corner of a face the contacts it lacks."""
-    parts = [face]
-    for k, place in at:
-        gap = face[k]
-        part = next(part for part in parts if gap in part)
-        corner = next((i for i in range(len(part)) if faces.corner(part, i) == number), None)
-        if corner is not None and len(part) > 2:
-            parts.remove(part)
-            parts += faces.attach(number, part, corner, part.index(gap), place)
-    return parts
+@compiled
+def _completed(tour: Tour, faces: Faces, face: Ints, before: int, feet: _Feet) -> Ints:
+    """Give the disc at the end of a gap the contacts that it lacks."""
+    number = corner(faces, before)
+    parts, count = np.empty(2 * len(face), np.int64), 0
+    for k in range(len(face)):
+        if not feet.known[k] or _touches(tour, faces, faces.after[before], feet.e[k], feet.t[k]):
+            continue
+        part = cycle(faces, face[k])
+        n = len(part)
+        for i in range(1, n - 1):
+            # Gaps beside the corner touch the disc already.
+            if corner(faces, part[i]) == number and corner(faces, part[0]) != number != faces.disc[part[0]]:
+                parts[count], parts[count + 1] = face[k], attach(faces, part[i], face[k], feet.e[k], feet.t[k])
+                count += 2
+                break
+    return parts[:count]
 
 
-def _junctions(tour: Tour, faces: Faces, face: Face) -> Iterator[tuple[SettledDisc, list[tuple[int, Place]]]]:
-    """Yield true junctions of a face: (disc, contacts), from its triples of consecutive gaps."""
-    stretches = [faces.stretch(gap) for gap in face]
+@compiled
+def _touches(tour: Tour, faces: Faces, contact: int, e: int, t: float) -> bool:
+    """Whether a place is a contact already of the disc that touches at `contact`."""
+    d, c = faces.disc[contact], contact
+    while True:
+        for f, s in ((faces.first_e[c], faces.first_t[c]), (faces.last_e[c], faces.last_t[c])):
+            if one_contact(tour, e, t, f, s, faces.x[d], faces.y[d], faces.r[d]):
+                return True
+        c = faces.clockwise[c]
+        if c == contact:
+            return False
+
+
+@compiled
+def _split_by_junction(tour: Tour, faces: Faces, face: Ints) -> Ints:
+    """Split a face by the first junction that three consecutive gaps give; returns a gap of every part."""
     n = len(face)
     for i in range(1 if n == 3 else n):
-        triple = [i, (i + 1) % n, (i + 2) % n]
-        if any(stretches[k] is None for k in triple):
+        triple = np.array([i, (i + 1) % n, (i + 2) % n])
+        found, x, y, r, e, t = _triple_disc(tour, faces, face, triple)
+        if not found:
             continue
-        found = _triple_disc(tour, faces, face, triple)
-        if found is not None:
-            yield found
-
-
-def _triple_disc(
-    tour: Tour, faces: Faces, face: Face, triple: list[int]
-) -> tuple[SettledDisc, list[tuple[int, Place]]] | None:
-    """Return the disc that touches three gaps of a face, if there is one and it is empty."""
-    disc, feet = _newton(tour, faces, face, triple)
-    if disc is None:
-        return None
-    deepest, count, element, t = touching(tour, disc.x, disc.y, disc.r, TOUCH, -1)
-    if deepest < -max(EMPTY, 1e-3 * disc.tol):
-        return None
-    at = dict(feet)
-    for k in range(count):
-        place = (int(element[k]), float(t[k]))
-        if any(same_place(tour, *place, *foot, disc.r) for foot in at.values()):
+        deepest, count, element, place_t = touching(tour, x, y, r, TOUCH, NO_SKIP, EMPTY)
+        if deepest < -EMPTY:
             continue
-        fit = _fit(tour, faces, face, place)
-        if fit is not None:
-            at.setdefault(*fit)
-    return disc, sorted(at.items())
+        feet = _no_feet(n)
+        for k in range(3):
+            feet.known[triple[k]], feet.e[triple[k]], feet.t[triple[k]] = True, e[k], t[k]
+        for k in range(count):
+            if not _is_foot(tour, e, t, element[k], place_t[k], r):
+                _fit(tour, faces, face, element[k], place_t[k], feet)
+        parts = _split(tour, faces, face, feet, x, y, r, JUNCTION, TOUCH)
+        if len(parts) > 1:
+            return parts
+    return face[:0]
 
 
-def _newton(
-    tour: Tour, faces: Faces, face: Face, triple: list[int]
-) -> tuple[SettledDisc | None, list[tuple[int, Place]]]:
-    """Newton on three gaps, from their middles; the feet must be separate."""
-    stretches = [s for k in triple if (s := faces.stretch(face[k])) is not None]
-    element = np.array([s[0] for s in stretches], dtype=np.int64)
-    low, high = np.array([s[1] for s in stretches]), np.array([s[2] for s in stretches])
-    for start in _starts(tour, faces, face, element, low, high):
-        found, x, y, r, t = junction_disc(tour, element, low, high, start)
-        if found:
-            break
-    else:
-        return None, []
-    margin = np.minimum(1e-12, (high - low) / 4)
-    t = np.clip(t, low + margin, high - margin)
-    feet = [(int(e), float(s)) for e, s in zip(element, t, strict=True)]
-    if any(
-        same_place(tour, *feet[i], *feet[i - 1], r) and not _kink_between(tour, feet[i - 1], feet[i]) for i in range(3)
-    ):
-        return None, []
-    return SettledDisc(x, y, r, (), "junction"), list(zip(triple, feet, strict=True))
+@compiled
+def _is_foot(tour: Tour, e: Ints, t: Floats, f: int, s: float, r: float) -> bool:
+    """Whether a place is one of some feet of a disc."""
+    for k in range(len(e)):  # noqa: SIM110  -- compiled code knows no generators
+        if same_place(tour, f, s, e[k], t[k], r):
+            return True
+    return False
 
 
-def _starts(tour: Tour, faces: Faces, face: Face, element: Ints, low: Floats, high: Floats) -> Iterator[Floats]:
-    """First guesses for the feet of a junction on three consecutive gaps.
+@compiled
+def _triple_disc(tour: Tour, faces: Faces, face: Ints, triple: Ints) -> tuple[bool, float, float, float, Ints, Floats]:
+    """Find the disc that touches three gaps of a face, each on one element, with separate feet: the last two values."""
+    e, low, high = np.empty(3, np.int64), np.empty(3), np.empty(3)
+    for i in range(3):
+        on_one, e[i], low[i], high[i] = stretch(tour, faces, face[triple[i]])
+        if not on_one:
+            return False, 0.0, 0.0, 0.0, e, low
+    found, x, y, r, t = _disc_near_kink(tour, faces, face, triple, e, low, high)
+    if not found:
+        found, x, y, r, t = junction_disc(tour, e, low, high, (low + high) / 2)
+    if not found:
+        return False, x, y, r, e, t
+    for i in range(3):
+        t[i] = _inside(t[i], low[i], high[i])
+    for i in range(3):
+        if same_place(tour, e[i], t[i], e[i - 1], t[i - 1], r) and not _kink_between(tour, e[i], e[i - 1]):
+            return False, x, y, r, e, t
+    return True, x, y, r, e, t
 
-    At a vertex that turns by a small angle the feet lie near it, at r times half the angle. (Where curvature jumps too
-    there is a second, false root farther away, which the middle of the gaps would find.)
+
+@compiled
+def _disc_near_kink(
+    tour: Tour, faces: Faces, face: Ints, triple: Ints, e: Ints, low: Floats, high: Floats
+) -> tuple[bool, float, float, float, Floats]:
+    """Find a junction two of whose feet lie either side of a vertex that turns by a small angle.
+
+    The feet lie near the vertex, at r times half the angle. (Where curvature jumps too there is a second, false root
+    farther away, which the middle of the gaps would find.)
     """
-    middle = (low + high) / 2
-    radii = {disc.r for disc in _corner_discs(faces, face) if disc.r > 0.0}
-    for i, j in ((0, 1), (1, 2)):
-        if not (tour.convex[element[j]] and tour.after[element[i]] == element[j] and (high[i], low[j]) == (1.0, 0.0)):
+    start = (low + high) / 2
+    n = len(face)
+    for i in range(3):
+        j = (i + 1) % 3
+        if not (tour.convex[e[j]] and tour.after[e[i]] == e[j] and high[i] == 1.0 and low[j] == 0.0):
             continue
-        _, _, ax, ay, _, speed = site(tour, int(element[i]), 1.0)
-        _, _, bx, by, _, next_speed = site(tour, int(element[j]), 0.0)
+        _, _, ax, ay, _, speed = site(tour, e[i], 1.0)
+        _, _, bx, by, _, next_speed = site(tour, e[j], 0.0)
         half = math.atan2(ax * by - ay * bx, ax * bx + ay * by) / 2
-        for r in (factor * radius for factor in (1.0, 0.5, 0.25) for radius in sorted(radii)):
-            start = middle.copy()
-            start[i], start[j] = max(middle[i], 1.0 - r * half / speed), min(middle[j], r * half / next_speed)
-            yield start
-    yield middle
+        for k in range(min(n, 8)):
+            radius = faces.r[corner(faces, face[(triple[0] - 1 + k) % n])]
+            for share in _SHARES:
+                step = share * radius * half
+                if step <= 0.0:
+                    continue
+                t = start.copy()
+                t[i], t[j] = max(start[i], 1.0 - step / speed), min(start[j], step / next_speed)
+                found, x, y, r, t = junction_disc(tour, e, low, high, t)
+                if found:
+                    return True, x, y, r, t
+    return False, 0.0, 0.0, 0.0, start
 
 
-def _kink_between(tour: Tour, a: Place, b: Place) -> bool:
-    """Whether a convex vertex separates two feet on neighbouring elements: then they may be very near."""
-    return bool((tour.after[a[0]] == b[0] and tour.convex[b[0]]) or (tour.after[b[0]] == a[0] and tour.convex[a[0]]))
+@compiled
+def _kink_between(tour: Tour, e: int, f: int) -> bool:
+    """Whether a convex vertex separates two neighbouring elements: then feet on them may be very near."""
+    return (tour.after[e] == f and tour.convex[f]) or (tour.after[f] == e and tour.convex[e])
 
 
-def _cluster(tour: Tour, faces: Faces, face: Face, tol: float) -> tuple[SettledDisc, list[tuple[int, Place]]] | None:
-    """Return a disc that touches all gaps of a face within `tol`, if there is one."""
-    stretches = [faces.stretch(gap) for gap in face]
-    if any(s is None for s in stretches):
-        return None
+@compiled
+def _split_by_cluster(tour: Tour, faces: Faces, face: Ints, tol: float) -> Ints:
+    """Split a face by a disc that touches all of its gaps within `tol`, if there is one."""
     n = len(face)
     for i in range(n):
-        disc, _ = _newton(tour, faces, face, [i, (i + 1) % n, (i + 2) % n])
-        if disc is None or touching(tour, disc.x, disc.y, disc.r, tol, -1)[0] < -tol:
+        triple = np.array([i, (i + 1) % n, (i + 2) % n])
+        found, x, y, r, _, _ = _triple_disc(tour, faces, face, triple)
+        if not found:
             continue
-        feet, error = _feet_on(tour, disc, stretches)
-        if error <= tol:
-            return SettledDisc(disc.x, disc.y, disc.r, (), "cluster", max(error, TOUCH)), list(enumerate(feet))
-    return None
+        feet, error = _feet_on_all(tour, faces, face, x, y, r, tol)
+        if error > tol or touching(tour, x, y, r, tol, NO_SKIP, tol)[0] < -tol:
+            continue
+        return _split(tour, faces, face, feet, x, y, r, CLUSTER, max(error, TOUCH))
+    return face[:0]
 
 
-def _feet_on(
-    tour: Tour, disc: SettledDisc, stretches: list[tuple[int, float, float] | None]
-) -> tuple[list[Place], float]:
-    """Nearest places of some stretches to a centre, and how far at most they lie off the circle."""
-    feet, error = [], 0.0
-    for e, low, high in (s for s in stretches if s is not None):
-        t, distance = nearest_on_stretch(tour, e, low, high, disc.x, disc.y)
-        margin = min(1e-12, (high - low) / 4)
-        feet.append((e, min(max(t, low + margin), high - margin)))
-        error = max(error, abs(distance - disc.r))
+@compiled
+def _split_by_corner(tour: Tour, faces: Faces, face: Ints) -> Ints:
+    """Contract a face whose centres all but coincide to the one of its corners that touches all gaps best."""
+    least, best = _STAR, -1
+    for gap in face:
+        d = corner(faces, gap)
+        error = _feet_on_all(tour, faces, face, faces.x[d], faces.y[d], faces.r[d], least)[1]
+        if error < least and faces.r[d] > 0.0 and _extent(faces, face) < _STAR:
+            least, best = error, d
+    if best < 0:
+        return face[:0]
+    x, y, r = faces.x[best], faces.y[best], faces.r[best]
+    feet, error = _feet_on_all(tour, faces, face, x, y, r, _STAR)
+    tol = max(error, TOUCH, -touching(tour, x, y, r, TOUCH, NO_SKIP, math.inf)[0])
+    return insert(faces, add_disc(faces, x, y, r, CLUSTER, tol), face, feet.e, feet.t)
+
+
+@compiled
+def _split_strip(tour: Tour, faces: Faces, face: Ints) -> Ints:
+    """Settle a disc at a border inside a gap of a face with two, whose twin is known to lie in the other gap.
+
+    Next to an osculating end feet are so badly determined that the search over the whole boundary may not see that the
+    twin is another place.
+    """
+    for k in range(2):
+        on_one, e, _, _ = stretch(tour, faces, face[k])
+        is_one, f, low, high = stretch(tour, faces, face[1 - k])
+        if on_one or not is_one or gap_at(tour, faces, tour.after[e], 0.0) != face[k]:
+            continue
+        e = tour.after[e]
+        x, y, r, t = twin_on_stretch(tour, e, 0.0, f, low, high)
+        tol = max(TOUCH, -touching(tour, x, y, r, TOUCH, NO_SKIP, math.inf)[0])
+        if tol > _CLUSTER or r <= 0.0:
+            continue
+        feet = _no_feet(2)
+        feet.e[k], feet.t[k] = e, 0.0
+        feet.e[1 - k], feet.t[1 - k] = f, _inside(t, low, high)
+        return insert(faces, add_disc(faces, x, y, r, STATION, tol), face, feet.e, feet.t)
+    return face[:0]
+
+
+@compiled
+def _feet_on_all(tour: Tour, faces: Faces, face: Ints, x: float, y: float, r: float, tol: float) -> tuple[_Feet, float]:
+    """Nearest places of all gaps of a face to a centre, and how far at most they lie off the circle."""
+    feet, error = _no_feet(len(face)), 0.0
+    for k in range(len(face)):
+        on_one, e, low, high = stretch(tour, faces, face[k])
+        if not on_one or error > tol:
+            return feet, math.inf
+        t, distance = nearest_on_stretch(tour, e, low, high, x, y)
+        feet.known[k], feet.e[k], feet.t[k] = True, e, _inside(t, low, high)
+        error = max(error, abs(distance - r))
     return feet, error
 
 
-def _same(a: SettledDisc, b: SettledDisc) -> bool:
-    return bool(math.hypot(a.x - b.x, a.y - b.y) <= _SAME_DISC and abs(a.r - b.r) <= _SAME_DISC)
-
-
-def _corner_discs(faces: Faces, face: Face) -> list[SettledDisc]:
-    return [faces.discs[faces.corner(face, k)] for k in range(len(face))]
-
-
-def _extent(faces: Faces, face: Face) -> float:
+@compiled
+def _extent(faces: Faces, face: Ints) -> float:
     """Largest distance between the centres at a face's corners: how big its part of the axis can be."""
-    centres: Floats = np.array([(disc.x, disc.y) for disc in _corner_discs(faces, face)])
-    return float(np.ptp(centres, axis=0).max())
+    x0, x1, y0, y1 = math.inf, -math.inf, math.inf, -math.inf
+    for gap in face:
+        x, y = faces.x[corner(faces, gap)], faces.y[corner(faces, gap)]
+        x0, x1, y0, y1 = min(x0, x), max(x1, x), min(y0, y), max(y1, y)
+    return max(x1 - x0, y1 - y0)
 
 
-def _place_of(faces: Faces, face: Face) -> tuple[float, float]:
-    centres = np.array([(disc.x, disc.y) for disc in _corner_discs(faces, face)])
-    x, y = centres.mean(axis=0)
-    return float(x), float(y)
+@compiled
+def _middle(faces: Faces, face: Ints) -> tuple[float, float]:
+    """Mean of the centres at a face's corners."""
+    x = y = 0.0
+    for gap in face:
+        x += faces.x[corner(faces, gap)] / len(face)
+        y += faces.y[corner(faces, gap)] / len(face)
+    return x, y

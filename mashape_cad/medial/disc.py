@@ -17,12 +17,13 @@ Computer 28 (2012): the shrinking ball. The emptiness proof by Bernstein bounds 
 import math
 
 import numpy as np
-from numba import njit
 
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.bezier import evaluate
+from mashape_cad.medial.compiled import compiled
 from mashape_cad.medial.emptiness import (
     EMPTY,
+    NO_SKIP,
     TOUCH,
     cone_turn,
     distance_minima,
@@ -42,7 +43,7 @@ _WIDEST = 4.0  # radius that no disc inside a shape of size 1 has
 _FLAT_STEP, _SETTLED_STEP, _RESOLUTION = 1e-6, 1e-15, 1e-16
 
 
-@njit(cache=True)
+@compiled
 def maximal_disc(tour: Tour, e: int, t: float) -> tuple[float, float, float, bool, int, Ints, Floats]:
     """Find the maximal disc that touches the boundary at a place.
 
@@ -61,20 +62,16 @@ def maximal_disc(tour: Tour, e: int, t: float) -> tuple[float, float, float, boo
         left = tour.before[e]
         if tour.degree[left] > 0:
             curvature = max(curvature, site(tour, left, 1.0)[4])
-    limit = 1.0 / curvature if curvature > _STRAIGHT else _WIDEST
-    start_e, start_t, best = -1, 0.0, math.inf
-    for k in range(len(tour.sample)):
-        f = _radius(px, py, nx, ny, tour.sample[k, 0], tour.sample[k, 1])
-        if f < best:
-            best, start_e, start_t = f, tour.sample_element[k], tour.sample_t[k]
-    r, twin_e, twin_t = limit, -1, 0.0
+    r = 1.0 / curvature if curvature > _STRAIGHT else _WIDEST
+    start_e, start_t = _best_sample(tour, px, py, nx, ny, r)
+    twin_e, twin_t = -1, 0.0
     for _ in range(60):
         if start_e >= 0:
             f, f_e, f_t = _polish(tour, px, py, nx, ny, start_e, start_t)
             if f < r:
                 r, twin_e, twin_t = f, f_e, f_t
         cx, cy = px + r * nx, py + r * ny
-        found, element, place_t, depth = distance_minima(tour, cx, cy, r, TOUCH, -1)
+        found, element, place_t, depth = distance_minima(tour, cx, cy, r, TOUCH, NO_SKIP, math.inf)
         deepest, start_e = -EMPTY, -1
         for k in range(found):
             # Right at p the circle follows the boundary by construction; what is deeper there is rounding.
@@ -86,12 +83,32 @@ def maximal_disc(tour: Tour, e: int, t: float) -> tuple[float, float, float, boo
     return px, py, 0.0, False, 0, none[0], none[1]
 
 
-@njit(cache=True)
+@compiled
+def _best_sample(tour: Tour, px: float, py: float, nx: float, ny: float, r: float) -> tuple[int, float]:
+    """Return the sample with the smallest f(p, .), if one has less than r; element -1 if none has.
+
+    An element whose box the disc found so far does not meet cannot make it smaller.
+    """
+    best_e, best_t = -1, 0.0
+    for e in range(len(tour.degree)):
+        cx, cy = px + r * nx, py + r * ny
+        bx = max(tour.box[e, 0] - cx, 0.0, cx - tour.box[e, 2])
+        by = max(tour.box[e, 1] - cy, 0.0, cy - tour.box[e, 3])
+        if bx * bx + by * by > r * r:
+            continue
+        for k in range(tour.sample_from[e], tour.sample_from[e + 1]):
+            f = _radius(px, py, nx, ny, tour.sample[k, 0], tour.sample[k, 1])
+            if f < r:
+                r, best_e, best_t = f, e, tour.sample_t[k]
+    return best_e, best_t
+
+
+@compiled
 def _with_contacts(
     tour: Tour, e: int, t: float, cx: float, cy: float, r: float, twin_e: int, twin_t: float
 ) -> tuple[float, float, float, bool, int, Ints, Floats]:
     """Collect the contacts other than the place itself, the twin first."""
-    _, found, element, place_t = touching(tour, cx, cy, r, TOUCH, -1)
+    _, found, element, place_t = touching(tour, cx, cy, r, TOUCH, NO_SKIP, math.inf)
     out_e, out_t = np.empty(found + 1, np.int64), np.empty(found + 1)
     count = 0
     if twin_e >= 0:
@@ -111,7 +128,7 @@ def _with_contacts(
     return cx, cy, r, True, count, out_e, out_t
 
 
-@njit(cache=True)
+@compiled
 def _same_contact(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy: float, r: float) -> bool:
     """Whether two places are one contact: they coincide, or the span between them stays on the circle."""
     if same_place(tour, e, t, f, s, r):
@@ -129,7 +146,7 @@ def _same_contact(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy:
     return True
 
 
-@njit(cache=True)
+@compiled
 def _polish(tour: Tour, px: float, py: float, nx: float, ny: float, e: int, t: float) -> tuple[float, int, float]:
     """Descend f(p, q) from q = (e, t) to a local minimum; Newton on G, halved while f does not fall."""
     if tour.degree[e] == 0:
@@ -173,7 +190,7 @@ def _polish(tour: Tour, px: float, py: float, nx: float, ny: float, e: int, t: f
     return f, e, t
 
 
-@njit(cache=True)
+@compiled
 def _descent(
     tour: Tour, px: float, py: float, nx: float, ny: float, e: int, t: float
 ) -> tuple[float, float, float, float, float]:
@@ -189,7 +206,7 @@ def _descent(
     return f, g, slope, math.hypot(tx, ty), height
 
 
-@njit(cache=True)
+@compiled
 def _neighbour(
     tour: Tour, px: float, py: float, nx: float, ny: float, e: int, forward: bool
 ) -> tuple[bool, int, float]:
@@ -215,7 +232,7 @@ def _neighbour(
     return False, e, 1.0 if forward else 0.0
 
 
-@njit(cache=True)
+@compiled
 def _radius(px: float, py: float, nx: float, ny: float, qx: float, qy: float) -> float:
     """Radius of the disc that touches p along n and passes through q; infinite if q lies behind p."""
     dx, dy = qx - px, qy - py
@@ -225,7 +242,7 @@ def _radius(px: float, py: float, nx: float, ny: float, qx: float, qy: float) ->
     return (dx * dx + dy * dy) / (2.0 * height)
 
 
-@njit(cache=True)
+@compiled
 def twin_on_stretch(tour: Tour, e: int, t: float, f: int, low: float, high: float) -> tuple[float, float, float, float]:
     """Return the disc at (e, t) whose twin is known to lie on a stretch: x, y, r and the twin's parameter.
 

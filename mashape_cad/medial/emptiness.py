@@ -6,22 +6,26 @@ the answer is a proof: nothing is sampled.
 """
 
 import math
+from typing import cast
 
 import numpy as np
-from numba import njit
 
 from mashape_cad.geometry.edge import Floats
-from mashape_cad.medial.bezier import evaluate, halves, power_distance
+from mashape_cad.medial.bezier import evaluate, halve, power_distance
+from mashape_cad.medial.compiled import compiled
 from mashape_cad.medial.tour import Ints, Tour, site
 
 __all__ = [
     "EMPTY",
+    "NO_SKIP",
     "TOUCH",
     "cone_turn",
     "distance_minima",
+    "holds_sample",
     "nearest_on_stretch",
     "normal_form",
     "same_place",
+    "spans_near",
     "touching",
 ]
 
@@ -39,13 +43,14 @@ _RESOLUTION = 1e-16  # spacing of numbers near 1
 # Minima on a span: a stretch this short is not halved any more, a minimum this near to its end is looked for beyond it
 # too, and two this close are one.
 _SHORTEST, _NEAR_END, _SAME_MINIMUM = 1e-6, 1e-12, 1e-7
-_MAX_STACK = 256
-_MAX_FOUND = 512
+_MAX_STACK = 128
+# No circle is left out; nothing has been found. (Typed, since numba compiles a function anew for each literal.)
+NO_SKIP, _NONE_YET = cast("int", np.int64(-1)), cast("int", np.int64(0))
 
 
-@njit(cache=True)
+@compiled
 def distance_minima(
-    tour: Tour, cx: float, cy: float, r: float, tol: float, skip: int
+    tour: Tour, cx: float, cy: float, r: float, tol: float, skip: int, floor: float
 ) -> tuple[int, Ints, Floats, Floats]:
     """Find every place where the boundary comes nearest to c, locally, and lies within r + tol of it.
 
@@ -57,6 +62,8 @@ def distance_minima(
     skip : int
         Circle number (see `Tour.round_centre`) of elements to leave out: an element index whose circle's spans are the
         disc's own contact; -1 for none.
+    floor : float
+        The search ends with the first place deeper inside the disc than this.
 
     Returns
     -------
@@ -66,36 +73,107 @@ def distance_minima(
     depth : array
         ``|q - c| - r``: negative inside the disc.
     """
-    element = np.empty(_MAX_FOUND, np.int64)
-    place_t = np.empty(_MAX_FOUND)
-    depth = np.empty(_MAX_FOUND)
-    count = 0
-    reach = r + tol
-    for e in range(len(tour.degree)):
-        if tour.degree[e] == 0:
-            continue
+    n = len(tour.degree)
+    element, place_t, depth = np.empty(2 * n + 64, np.int64), np.empty(2 * n + 64), np.empty(2 * n + 64)
+    count = _NONE_YET
+    reach_sq = (r + tol) * (r + tol)
+    for e in range(n):
         bx = max(tour.box[e, 0] - cx, 0.0, cx - tour.box[e, 2])
         by = max(tour.box[e, 1] - cy, 0.0, cy - tour.box[e, 3])
-        if bx * bx + by * by > reach * reach:
+        if bx * bx + by * by > reach_sq or tour.degree[e] == 0 or (skip >= 0 and _on_one_circle(tour, e, skip)):
             continue
-        if (
-            skip >= 0
-            and abs(tour.round_radius[e] - tour.round_radius[skip]) <= _SAME_CIRCLE
-            and (
-                math.hypot(
-                    tour.round_centre[e, 0] - tour.round_centre[skip, 0],
-                    tour.round_centre[e, 1] - tour.round_centre[skip, 1],
-                )
-                <= _SAME_CIRCLE
-            )
-        ):
-            continue
-        count = _minima_on_span(tour, e, cx, cy, r, tol, element, place_t, depth, count)
+        known = count
+        if tour.degree[e] == 1:
+            count = _minimum_on_line(tour, e, cx, cy, r, tol, element, place_t, depth, count)
+        else:
+            count = _minima_on_span(tour, e, cx, cy, r, tol, element, place_t, depth, count)
+        for k in range(known, count):
+            if depth[k] < -floor:
+                return count, element, place_t, depth
     return count, element, place_t, depth
 
 
-@njit(cache=True)
-def _minima_on_span(
+@compiled
+def _on_one_circle(tour: Tour, e: int, f: int) -> bool:
+    return (
+        abs(tour.round_radius[e] - tour.round_radius[f]) <= _SAME_CIRCLE
+        and math.hypot(
+            tour.round_centre[e, 0] - tour.round_centre[f, 0], tour.round_centre[e, 1] - tour.round_centre[f, 1]
+        )
+        <= _SAME_CIRCLE
+    )
+
+
+@compiled
+def holds_sample(tour: Tour, cx: float, cy: float, r: float, tol: float) -> bool:
+    """Whether one of the tour's samples lies deeper than `tol` inside a disc: a quick witness that it is not empty."""
+    inner = r - tol
+    if inner <= 0.0:
+        return False
+    for e in range(len(tour.degree)):
+        bx = max(tour.box[e, 0] - cx, 0.0, cx - tour.box[e, 2])
+        by = max(tour.box[e, 1] - cy, 0.0, cy - tour.box[e, 3])
+        if bx * bx + by * by >= inner * inner:
+            continue
+        for k in range(tour.sample_from[e], tour.sample_from[e + 1]):
+            dx, dy = tour.sample[k, 0] - cx, tour.sample[k, 1] - cy
+            if dx * dx + dy * dy < inner * inner:
+                return True
+    return False
+
+
+@compiled
+def spans_near(tour: Tour, x: Floats, y: Floats, r: Floats, slack: Floats) -> tuple[Ints, Ints]:
+    """Return for discs all spans with a point that is no further than `slack` outside.
+
+    Returns
+    -------
+    disc, element : arrays
+        Pairs, disc by disc.
+    """
+    disc, element, count = np.empty(64 + 4 * len(x), np.int64), np.empty(64 + 4 * len(x), np.int64), 0
+    for d in range(len(x)):
+        found, near, _, _ = distance_minima(tour, x[d], y[d], r[d], slack[d], NO_SKIP, math.inf)
+        for k in range(found):
+            if k > 0 and near[k] == near[k - 1]:
+                continue
+            if count == len(disc):
+                disc, element = np.concatenate((disc, disc)), np.concatenate((element, element))
+            disc[count], element[count] = d, near[k]
+            count += 1
+    return disc[:count], element[:count]
+
+
+@compiled
+def _minimum_on_line(
+    tour: Tour,
+    e: int,
+    cx: float,
+    cy: float,
+    r: float,
+    tol: float,
+    element: Ints,
+    place_t: Floats,
+    depth: Floats,
+    count: int,
+) -> int:
+    """Append the nearest place of a straight span; see `distance_minima`."""
+    control = tour.control[e]
+    t = _span_minimum(tour, e, 0.0, 1.0, cx, cy)
+    if control[0, 2] == control[1, 2]:
+        ax, ay = control[0, 0] / control[0, 2], control[0, 1] / control[0, 2]
+        dx, dy = control[1, 0] / control[1, 2] - ax, control[1, 1] / control[1, 2] - ay
+        t = min(max(((cx - ax) * dx + (cy - ay) * dy) / (dx * dx + dy * dy), 0.0), 1.0)
+    x, y, _, _, _, _ = evaluate(control, 1, t)
+    off = math.hypot(x - cx, y - cy) - r
+    if off <= tol:
+        element[count], place_t[count], depth[count] = e, t, off
+        count += 1
+    return count
+
+
+@compiled
+def _minima_on_span(  # noqa: PLR0912  -- the loop over what is left of a span is one argument
     tour: Tour,
     e: int,
     cx: float,
@@ -109,32 +187,37 @@ def _minima_on_span(
 ) -> int:
     """Append the minima on one span; see `distance_minima`."""
     degree = tour.degree[e]
-    reach = r + tol
-    stack = np.empty((_MAX_STACK, 2 * degree + 1))
-    ends = np.empty((_MAX_STACK, 2))
     # The power with respect to the grown disc: positive means farther than r + tol.
-    stack[0] = power_distance(tour.control[e], degree, cx, cy, reach)
-    ends[0] = 0.0, 1.0
-    top = 1
-    first = count
+    coefficients = power_distance(tour.control[e], degree, cx, cy, r + tol)
+    if _smallest(coefficients) > 0.0:
+        return count
+    width = 2 * degree + 1
+    stack, ends = np.empty((_MAX_STACK, width)), np.empty((_MAX_STACK, 2))
+    for i in range(width):
+        stack[0, i] = coefficients[i]
+    ends[0, 0], ends[0, 1] = 0.0, 1.0
+    top, first = 1, count
     while top > 0:
         top -= 1
-        coefficients = stack[top].copy()
         low, high = ends[top]
-        if coefficients.min() > 0.0:
+        for i in range(width):
+            coefficients[i] = stack[top, i]
+        least = _smallest(coefficients)
+        if least > 0.0:
             continue
+        most = _largest(coefficients)
         # A stretch that runs inside the disc as a whole is a witness that settles the question.
-        inside = coefficients.max() < -4.4 * tol * r
+        inside = most < -4.4 * tol * r
         # One on which the distance varies less than matters (it follows the circle) is as good as one point of it.
-        level = coefficients.max() - coefficients.min() < EMPTY / 2 * r
+        level = most - least < EMPTY / 2 * r
         at_low, at_high, convex = _lowest(coefficients, low == 0.0, high == 1.0)
         settled = inside or level or at_low >= 0 or convex
-        if not settled and high - low > _SHORTEST and top + 2 <= _MAX_STACK:
-            left, right = halves(coefficients)
+        if not settled and high - low > _SHORTEST and top + 2 <= _MAX_STACK and count < len(element) - 1:
+            # The left half ends up on top, so places come in the order of the span.
+            halve(coefficients, stack[top + 1], stack[top])
             middle = (low + high) / 2
-            stack[top], stack[top + 1] = right, left
-            ends[top] = middle, high
-            ends[top + 1] = low, middle
+            ends[top, 0], ends[top, 1] = middle, high
+            ends[top + 1, 0], ends[top + 1, 1] = low, middle
             top += 2
             continue
         if at_low == 0 and at_high == 0:
@@ -146,15 +229,14 @@ def _minima_on_span(
         else:
             t = _span_minimum(tour, e, low, high, cx, cy)
         if t - low < _NEAR_END or high - t < _NEAR_END:
-            width = high - low
-            t = _span_minimum(tour, e, max(t - width, 0.0), min(t + width, 1.0), cx, cy)
+            t = _span_minimum(tour, e, max(t + low - high, 0.0), min(t + high - low, 1.0), cx, cy)
         x, y, _, _, _, _ = evaluate(tour.control[e], degree, t)
         # A negative coefficient is no proof that the curve itself comes near enough.
         off = math.hypot(x - cx, y - cy) - r
         known = off > tol
         for k in range(first, count):
             known = known or abs(place_t[k] - t) < _SAME_MINIMUM
-        if not known and count < _MAX_FOUND:
+        if not known and count < len(element):
             element[count], place_t[count], depth[count] = e, t, off
             count += 1
         if inside:
@@ -162,7 +244,23 @@ def _minima_on_span(
     return count
 
 
-@njit(cache=True)
+@compiled
+def _smallest(values: Floats) -> float:
+    least = values[0]
+    for value in values:
+        least = min(least, value)
+    return least
+
+
+@compiled
+def _largest(values: Floats) -> float:
+    most = values[0]
+    for value in values:
+        most = max(most, value)
+    return most
+
+
+@compiled
 def _lowest(coefficients: Floats, is_first: bool, is_last: bool) -> tuple[int, int, bool]:
     """Tell from a stretch's coefficients where it can have a local minimum.
 
@@ -174,16 +272,21 @@ def _lowest(coefficients: Floats, is_first: bool, is_last: bool) -> tuple[int, i
     convex : bool
         Whether there is just one minimum.
     """
-    steps = np.diff(coefficients)
+    n = len(coefficients)
+    rising, falling, convex, before = True, True, True, -math.inf
+    for i in range(n - 1):
+        step = coefficients[i + 1] - coefficients[i]
+        rising, falling, convex = rising and step >= 0.0, falling and step <= 0.0, convex and step >= before
+        before = step
     noise = 1e-16
-    if steps.min() >= 0.0:
-        return (1 if is_first or steps[0] <= noise else 0), 0, False
-    if steps.max() <= 0.0:
-        return 0, (1 if is_last or steps[-1] >= -noise else 0), False
-    return -1, -1, bool(np.diff(steps).min() >= 0.0)
+    if rising:
+        return (1 if is_first or coefficients[1] - coefficients[0] <= noise else 0), 0, False
+    if falling:
+        return 0, (1 if is_last or coefficients[n - 1] - coefficients[n - 2] >= -noise else 0), False
+    return -1, -1, convex
 
 
-@njit(cache=True)
+@compiled
 def _span_minimum(tour: Tour, e: int, low: float, high: float, cx: float, cy: float) -> float:
     """Parameter of the smallest distance to c on [low, high], where the distance has one minimum: safe Newton."""
     t = (low + high) / 2
@@ -206,9 +309,14 @@ def _span_minimum(tour: Tour, e: int, low: float, high: float, cx: float, cy: fl
     return t
 
 
-@njit(cache=True)
-def touching(tour: Tour, cx: float, cy: float, r: float, tol: float, skip: int) -> tuple[float, int, Ints, Floats]:
+@compiled
+def touching(
+    tour: Tour, cx: float, cy: float, r: float, tol: float, skip: int, floor: float = math.inf
+) -> tuple[float, int, Ints, Floats]:
     """Contacts of a disc: the places where the boundary touches it within `tol`.
+
+    The search ends with the first boundary point deeper inside than `floor`: whoever asks whether a disc is empty needs
+    one witness, not all contacts.
 
     Returns
     -------
@@ -218,7 +326,7 @@ def touching(tour: Tour, cx: float, cy: float, r: float, tol: float, skip: int) 
     element, t : arrays
         Contacts, in normal form; a reflex vertex appears as a place on its cone.
     """
-    found, element, t, depth = distance_minima(tour, cx, cy, r, tol, skip)
+    found, element, t, depth = distance_minima(tour, cx, cy, r, tol, skip, floor)
     deepest = math.inf
     count = 0
     for k in range(found):
@@ -238,7 +346,7 @@ def touching(tour: Tour, cx: float, cy: float, r: float, tol: float, skip: int) 
     return deepest, count, element, t
 
 
-@njit(cache=True)
+@compiled
 def _contact_at_border(tour: Tour, e: int, at_start: bool, cx: float, cy: float) -> tuple[int, float, bool]:
     """Decide whether a disc around c that reaches a span's end touches there, and as which place."""
     other = tour.before[e] if at_start else tour.after[e]
@@ -259,7 +367,7 @@ def _contact_at_border(tour: Tour, e: int, at_start: bool, cx: float, cy: float)
     return border, 0.0, rising_right and falling_left
 
 
-@njit(cache=True)
+@compiled
 def nearest_on_stretch(tour: Tour, e: int, low: float, high: float, cx: float, cy: float) -> tuple[float, float]:
     """Return the place of a stretch that is nearest to c, and its distance."""
     if tour.degree[e] == 0:
@@ -278,7 +386,7 @@ def nearest_on_stretch(tour: Tour, e: int, low: float, high: float, cx: float, c
     return t, math.hypot(x - cx, y - cy)
 
 
-@njit(cache=True)
+@compiled
 def same_place(tour: Tour, e: int, t: float, f: int, s: float, r: float) -> bool:
     """Whether two contacts of a disc of radius r are one and the same."""
     ax, ay, _, _, _, _ = site(tour, e, t)
@@ -286,7 +394,7 @@ def same_place(tour: Tour, e: int, t: float, f: int, s: float, r: float) -> bool
     return math.hypot(ax - bx, ay - by) <= max(_SAME_ABSOLUTE, _SAME_RELATIVE * r)
 
 
-@njit(cache=True)
+@compiled
 def normal_form(tour: Tour, e: int, t: float) -> tuple[int, float]:
     """Snap to borders, which belong to the element that starts there."""
     if t >= 1.0 - _SNAP:
@@ -294,7 +402,7 @@ def normal_form(tour: Tour, e: int, t: float) -> tuple[int, float]:
     return e, 0.0 if t <= _SNAP else t
 
 
-@njit(cache=True)
+@compiled
 def cone_turn(tour: Tour, e: int, cx: float, cy: float) -> float:
     """Parameter on a cone of the direction from its vertex to a centre; outside [0, 1] if not in the cone."""
     angle = math.atan2(cy - tour.control[e, 0, 1], cx - tour.control[e, 0, 0]) - tour.cone[e, 0]

@@ -12,28 +12,43 @@ H. I. Choi, S. W. Choi, H. P. Moon, Mathematical theory of medial axis transform
 convex vertices and curvature centres.
 """
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+import math
 
 import numpy as np
-from numba import njit
+from numpy.typing import NDArray
 
 from mashape_cad.geometry.edge import Floats
-from mashape_cad.medial.bezier import curvature_slope, halves, product, value
-from mashape_cad.medial.emptiness import EMPTY, TOUCH, same_place, touching
-from mashape_cad.medial.tour import ROUND, Tour, site
+from mashape_cad.medial.bezier import curvature_sign, curvature_slope, halves, value
+from mashape_cad.medial.compiled import compiled
+from mashape_cad.medial.contact import apart, one_contact
+from mashape_cad.medial.emptiness import EMPTY, NO_SKIP, TOUCH, holds_sample, touching
+from mashape_cad.medial.faces import (
+    ARC,
+    CORNER,
+    DISCS,
+    OSCULATING,
+    Faces,
+    SettledDisc,
+    add_contact,
+    add_disc,
+    blank_faces,
+    settled_discs,
+)
+from mashape_cad.medial.tour import ROUND, Ints, Tour, site
 
-__all__ = ["Contact", "Place", "SettledDisc", "ends", "one_contact"]
+__all__ = ["curvature_candidates", "ends", "falling_roots", "settle_ends"]
 
-Place = tuple[int, float]
-Contact = tuple[Place, Place]  # first and last place; equal but for a disc that touches along an arc
-
-_FULL_LOOP: Place = (-1, 0.0)
 # Radii and centres of arcs are rounded in files: an arc that fills a slot's end misses the slot's other wall by up to
 # this (sizes), and still touches it. What it misses by is recorded as the disc's tolerance.
 _ARC = 1e-8
 # A contact this close (sizes) to the end of an arc on the same circle belongs to that arc.
 _ARC_END = 1e-6
+# Arcs whose centres and radii agree this well (sizes) lie on one circle.
+_SAME_CIRCLE = 10 * ROUND
+# Discs found twice, from the two sides of a border or of a symmetry, agree this well (sizes).
+_SAME_DISC = 3e-11
+# Two osculating feet closer than this, times the radius, with no reflex vertex between are one.
+_SAME_FOOT = 1e-6
 # Coefficients this small against the largest one are rounding of products of up to eight factors.
 _NOISE = 1e-11
 _STRAIGHT = 1e-9  # a curvature below this (one over sizes) has no maximum that matters
@@ -41,288 +56,285 @@ _SAME_CURVATURE = 1e-9  # curvatures that agree this well, relatively, do not ju
 _SHORTEST = 1e-9  # stretches of parameters this short are not halved any more: what changes sign there is one root
 
 
-@dataclass(frozen=True, slots=True)
-class SettledDisc:
-    """A maximal disc in the tour's scale.
-
-    Attributes
-    ----------
-    x, y, r : float
-        Centre and radius.
-    contacts : tuple of (place, place)
-        First and last place of each contact.
-    kind : str
-        ``corner``, ``osculating``, ``arc``, ``station``, ``junction`` or ``cluster``.
-    tol : float
-        How far the contacts may lie off the circle.
-    """
-
-    x: float
-    y: float
-    r: float
-    contacts: tuple[Contact, ...]
-    kind: str
-    tol: float = TOUCH
-
-    @property
-    def is_full(self) -> bool:
-        """Whether the disc is the whole domain."""
-        return self.contacts == ((_FULL_LOOP, _FULL_LOOP),)
-
-
 def ends(tour: Tour) -> list[SettledDisc]:
     """Return the discs of all accepted candidates; some may have more contacts than one.
 
-    A domain that is one disc gives that one alone, with `SettledDisc.is_full`.
+    A domain that is one disc gives that one alone, with a contact from its loop's start to its start.
     """
-    found = [disc for run in _arc_runs(tour) if (disc := _arc_disc(tour, run)) is not None]
-    if any(disc.is_full for disc in found):
-        return [disc for disc in found if disc.is_full]
-    settled = _merged_arcs(tour, found)
-    # Where a rounded arc meets its neighbour at a kink, the arc's disc already fills that vertex.
-    filled = {place for disc in settled for contact in disc.contacts for place in contact}
-    settled += [disc for disc in _corners(tour) if disc.contacts[0][0] not in filled]
-    covered = {e for disc in found for (e, _), _ in disc.contacts}
-    for e, t in _curvature_candidates(tour):
-        disc = _osculating_disc(tour, e, t)
-        if disc is not None and e not in covered and not _repeats(tour, disc, settled):
-            settled.append(disc)
-    return settled
+    faces = blank_faces(tour)
+    settle_ends(tour, faces)
+    return settled_discs(faces)
 
 
-def _corners(tour: Tour) -> list[SettledDisc]:
-    """Convex vertices: discs of radius 0."""
-    return [
-        SettledDisc(
-            tour.control[e, 0, 0] / tour.control[e, 0, 2],
-            tour.control[e, 0, 1] / tour.control[e, 0, 2],
-            0.0,
-            (((int(e), 0.0), (int(e), 0.0)),),
-            "corner",
-        )
-        for e in np.flatnonzero(tour.convex)
-    ]
-
-
-def _arc_runs(tour: Tour) -> Iterator[list[int]]:
-    """Maximal runs of spans on one circle that bends inwards, in the order of the loop."""
-    is_round = ~np.isnan(tour.round_radius)
-    joined = [bool(is_round[e] and _continues(tour, int(tour.before[e]), e)) for e in range(len(is_round))]
-    for first in np.flatnonzero(is_round):
-        if joined[first] and not _is_seam(tour, int(first), joined):
-            continue
-        run = [int(first)]
-        while joined[after := int(tour.after[run[-1]])] and after != first:
-            run.append(after)
-        yield run
-
-
-def _is_seam(tour: Tour, first: int, joined: list[bool]) -> bool:
-    """Whether a loop is one circle all round and `first` is its lowest element."""
-    loop = np.flatnonzero(tour.loop == tour.loop[first])
-    return bool(first == loop[0] and all(joined[e] for e in loop))
-
-
-def _continues(tour: Tour, before: int, e: int) -> bool:
-    """Whether two neighbouring spans lie on one circle and join smoothly."""
-    if tour.convex[e] or np.isnan(tour.round_radius[before]):
-        return False
-    shift = np.hypot(*(tour.round_centre[before] - tour.round_centre[e]))
-    return bool(shift <= 10 * ROUND and abs(tour.round_radius[before] - tour.round_radius[e]) <= 10 * ROUND)
-
-
-def _arc_disc(tour: Tour, run: list[int]) -> SettledDisc | None:
-    """Return the disc that fills a run of arcs, if it is empty."""
-    (x, y), r = tour.round_centre[run].mean(axis=0), float(tour.round_radius[run].mean())
-    deepest = touching(tour, x, y, r, _ARC, run[0])[0]
-    if deepest < -_ARC:
-        return None
-    tol = max(TOUCH, float(_off_circle(tour, run, x, y, r)), -deepest)
-    _, count, element, t = touching(tour, x, y, r, 2 * tol, run[0])
-    if tour.after[run[-1]] == run[0]:
-        # An arc all round: the domain's outer loop, or (never empty) the outside of a hole.
-        return SettledDisc(x, y, r, ((_FULL_LOOP, _FULL_LOOP),), "arc", tol)
-    first, last = (run[0], 0.0), (int(tour.after[run[-1]]), 0.0)
-    clear = max(np.sqrt(16 * r * tol), 3e-6 * r)
-    others = [
-        ((int(element[k]), float(t[k])),) * 2
-        for k in range(count)
-        if not any(_apart(tour, (element[k], t[k]), place) <= clear for place in (first, last))
-    ]
-    return SettledDisc(x, y, r, ((first, last), *others), "arc", tol)
-
-
-def _off_circle(tour: Tour, run: list[int], x: float, y: float, r: float) -> float:
-    """Largest distance of a run's spans from a circle, at a few places of each."""
-    points = np.array([site(tour, e, t)[:2] for e in run for t in (0.0, 0.25, 0.5, 0.75, 1.0)])
-    return float(np.abs(np.hypot(points[:, 0] - x, points[:, 1] - y) - r).max())
-
-
-def _apart(tour: Tour, a: tuple[int, float], b: tuple[int, float]) -> float:
-    (ax, ay), (bx, by) = site(tour, int(a[0]), float(a[1]))[:2], site(tour, int(b[0]), float(b[1]))[:2]
-    return float(np.hypot(ax - bx, ay - by))
-
-
-def _merged_arcs(tour: Tour, discs: list[SettledDisc]) -> list[SettledDisc]:
-    """Join the discs of several arcs on one circle into one disc with all contacts."""
-    merged: list[SettledDisc] = []
-    for disc in discs:
-        twin = next((k for k, other in enumerate(merged) if _same_disc(disc, other, 10 * ROUND)), None)
-        if twin is None:
-            merged.append(disc)
-            continue
-        other = merged[twin]
-        arcs = [contact for each in (other, disc) for contact in each.contacts if contact[0] != contact[1]]
-        # What touches one arc's disc at the end of another arc is that arc.
-        points = [
-            contact
-            for contact in other.contacts
-            if contact[0] == contact[1] and all(_apart(tour, contact[0], end) > _ARC_END for arc in arcs for end in arc)
-        ]
-        merged[twin] = SettledDisc(other.x, other.y, other.r, (*arcs, *points), "arc", max(other.tol, disc.tol))
-    return merged
-
-
-def _same_disc(a: SettledDisc, b: SettledDisc, tol: float) -> bool:
-    return bool(np.hypot(a.x - b.x, a.y - b.y) <= tol and abs(a.r - b.r) <= tol)
-
-
-def _repeats(tour: Tour, disc: SettledDisc, settled: list[SettledDisc]) -> bool:
-    """Whether a candidate is a disc that was already found, from the other side of a border or of a symmetry."""
-    place = disc.contacts[0][0]
-    for other in settled:
-        if _same_disc(disc, other, 3e-11):
-            return True
-        if other.kind == "osculating" and _apart(tour, place, other.contacts[0][0]) <= 1e-6 * disc.r:
-            # The curves on both sides of a reflex vertex may each have an end there.
-            between = _stretch(tour, place, other.contacts[0][0])
-            if not any(tour.degree[e] == 0 and high > low for e, low, high in between):
-                return True
+@compiled
+def settle_ends(tour: Tour, faces: Faces) -> bool:
+    """Add the discs of all accepted candidates; return whether the domain is one disc, which then is the only one."""
+    if _settle_arcs(tour, faces):
+        return True
+    covered, filled = np.zeros(len(tour.degree), np.bool_), np.zeros(len(tour.degree), np.bool_)
+    for c in range(faces.used[0]):
+        covered[faces.first_e[c]] = True
+        # Where a rounded arc meets its neighbour at a kink, the arc's disc already fills that vertex.
+        for e, t in ((faces.first_e[c], faces.first_t[c]), (faces.last_e[c], faces.last_t[c])):
+            filled[e] = filled[e] or t == 0.0
+    for e in range(len(tour.degree)):
+        if tour.convex[e] and not filled[e]:
+            x, y, _, _, _, _ = site(tour, e, 0.0)
+            add_contact(faces, add_disc(faces, x, y, 0.0, CORNER, TOUCH), e, 0.0, e, 0.0)
+    element, place_t = curvature_candidates(tour)
+    for k in range(len(element)):
+        if not covered[element[k]]:
+            _settle_osculating(tour, faces, element[k], place_t[k])
     return False
 
 
-def _curvature_candidates(tour: Tour) -> Iterator[Place]:
-    """Yield all places where curvature may have a positive local maximum."""
-    slopes: dict[int, Floats] = {}
-    for e in range(len(tour.degree)):
-        if tour.degree[e] < 2 or not np.isnan(tour.round_radius[e]):
+@compiled
+def _settle_arcs(tour: Tour, faces: Faces) -> bool:
+    """Add the empty discs that fill arcs, those of one circle as one; return whether one disc is the whole domain."""
+    joined = _joined_arcs(tour)
+    for first in range(len(tour.degree)):
+        if not _starts_run(tour, joined, first):
             continue
-        slopes[e] = curvature_slope(tour.control[e], tour.degree[e])
-        if _may_bend_inwards(tour.control[e], int(tour.degree[e])):
-            for t in falling_roots(slopes[e]):
-                yield e, float(t)
+        x, y, r, last, all_round = _run(tour, joined, first)
+        if holds_sample(tour, x, y, r, _ARC):
+            continue
+        deepest = touching(tour, x, y, r, _ARC, first, _ARC)[0]
+        if deepest < -_ARC:
+            continue
+        tol = max(TOUCH, _off_circle(tour, first, last, x, y, r), -deepest)
+        if all_round:
+            # The domain's outer loop. (The outside of a hole is never empty.)
+            faces.used[:] = 0
+            add_contact(faces, add_disc(faces, x, y, r, ARC, tol), first, 0.0, first, 0.0)
+            return True
+        number = _same_arc_disc(faces, x, y, r)
+        if number >= 0:
+            faces.tol[number] = max(faces.tol[number], tol)
+        else:
+            number = add_disc(faces, x, y, r, ARC, tol)
+        add_contact(faces, number, first, 0.0, tour.after[last], 0.0)
+    for number in range(faces.used[DISCS]):
+        _add_points(tour, faces, number)
+    return False
+
+
+@compiled
+def _joined_arcs(tour: Tour) -> NDArray[np.bool_]:
+    """Tell of each element whether it goes on with the inward arc of the element before it."""
+    joined = np.zeros(len(tour.degree), np.bool_)
     for e in range(len(tour.degree)):
-        place = _border_candidate(tour, e, slopes)
-        if place is not None:
-            yield place
+        b = tour.before[e]
+        if math.isnan(tour.round_radius[e]) or math.isnan(tour.round_radius[b]) or tour.convex[e]:
+            continue
+        shift = math.hypot(
+            tour.round_centre[b, 0] - tour.round_centre[e, 0], tour.round_centre[b, 1] - tour.round_centre[e, 1]
+        )
+        joined[e] = shift <= _SAME_CIRCLE and abs(tour.round_radius[b] - tour.round_radius[e]) <= _SAME_CIRCLE
+    return joined
 
 
-def _border_candidate(tour: Tour, e: int, slopes: dict[int, Floats]) -> Place | None:
-    """Return the border before `e` if curvature may have a maximum there: it jumps, or its slope changes sign."""
-    left = int(tour.before[e])
+@compiled
+def _starts_run(tour: Tour, joined: NDArray[np.bool_], e: int) -> bool:
+    """Whether a run of arcs on one circle starts at an element; one all round starts at its lowest element."""
+    if math.isnan(tour.round_radius[e]):
+        return False
+    if not joined[e]:
+        return True
+    at = tour.after[e]
+    while at > e and joined[at]:
+        at = tour.after[at]
+    return at == e
+
+
+@compiled
+def _run(tour: Tour, joined: NDArray[np.bool_], first: int) -> tuple[float, float, float, int, bool]:
+    """Return mean centre and radius of a run of arcs, its last element, and whether it goes all round."""
+    x = y = r = 0.0
+    count, last = 0, first
+    while True:
+        x += tour.round_centre[last, 0]
+        y += tour.round_centre[last, 1]
+        r += tour.round_radius[last]
+        count += 1
+        after = tour.after[last]
+        if after == first or not joined[after]:
+            break
+        last = after
+    return x / count, y / count, r / count, last, tour.after[last] == first and joined[first]
+
+
+@compiled
+def _off_circle(tour: Tour, first: int, last: int, x: float, y: float, r: float) -> float:
+    """Largest distance of a run's spans from a circle, at a few places of each."""
+    worst, e = 0.0, first
+    while True:
+        for k in range(5):
+            qx, qy, _, _, _, _ = site(tour, e, k / 4)
+            worst = max(worst, abs(math.hypot(qx - x, qy - y) - r))
+        if e == last:
+            return worst
+        e = tour.after[e]
+
+
+@compiled
+def _same_arc_disc(faces: Faces, x: float, y: float, r: float) -> int:
+    """Return the disc of another arc on the same circle; -1 if there is none."""
+    for k in range(faces.used[DISCS]):
+        if math.hypot(faces.x[k] - x, faces.y[k] - y) <= _SAME_CIRCLE and abs(faces.r[k] - r) <= _SAME_CIRCLE:
+            return k
+    return -1
+
+
+@compiled
+def _add_points(tour: Tour, faces: Faces, number: int) -> None:
+    """Add the contacts of an arc's disc other than its arcs."""
+    x, y, r, tol = faces.x[number], faces.y[number], faces.r[number], faces.tol[number]
+    arcs = faces.used[0]
+    first = 0
+    while faces.disc[first] != number:
+        first += 1
+    _, count, element, t = touching(tour, x, y, r, 2 * tol, faces.first_e[first], math.inf)
+    # What touches one arc's disc at the end of an arc is that arc.
+    clear = max(math.sqrt(16 * r * tol), 3e-6 * r, _ARC_END)
+    for k in range(count):
+        is_new = True
+        for c in range(arcs):
+            if faces.disc[c] == number:
+                is_new = (
+                    is_new
+                    and apart(tour, element[k], t[k], faces.first_e[c], faces.first_t[c]) > clear
+                    and apart(tour, element[k], t[k], faces.last_e[c], faces.last_t[c]) > clear
+                )
+        if is_new:
+            add_contact(faces, number, element[k], t[k], element[k], t[k])
+
+
+@compiled
+def curvature_candidates(tour: Tour) -> tuple[Ints, Floats]:
+    """Return all places where curvature may have a positive local maximum: elements and parameters."""
+    n = len(tour.degree)
+    most = n * (4 * (8 * tour.control.shape[1]) + 9)
+    element, place_t, count = np.empty(most, np.int64), np.empty(most), 0
+    rises_at_end, falls_at_start = np.ones(n, np.bool_), np.ones(n, np.bool_)
+    for e in range(n):
+        if tour.degree[e] < 2 or not math.isnan(tour.round_radius[e]):
+            continue
+        slope = curvature_slope(tour.control[e], tour.degree[e])
+        noise = _NOISE * np.abs(slope).max()
+        rises_at_end[e], falls_at_start[e] = slope[-1] >= -noise, slope[0] <= noise
+        if curvature_sign(tour.control[e], tour.degree[e]).max() > 0.0:
+            for t in falling_roots(slope):
+                element[count], place_t[count] = e, t
+                count += 1
+    for e in range(n):
+        if _may_peak_at_border(tour, e, rises_at_end, falls_at_start):
+            element[count], place_t[count] = e, 0.0
+            count += 1
+    return element[:count].copy(), place_t[:count].copy()
+
+
+@compiled
+def _may_peak_at_border(tour: Tour, e: int, rises_at_end: NDArray[np.bool_], falls_at_start: NDArray[np.bool_]) -> bool:
+    """Whether curvature may have a maximum at the border before `e`: it jumps, or its slope changes sign."""
+    left = tour.before[e]
     if tour.convex[e]:
-        return None
-    k_left, k_right = (site(tour, left, 1.0)[4], site(tour, e, 0.0)[4])
-    if max(k_left, k_right) <= _STRAIGHT:
-        return None
+        return False
+    k_left, k_right = site(tour, left, 1.0)[4], site(tour, e, 0.0)[4]
+    most = max(k_left, k_right)
+    if most <= _STRAIGHT:
+        return False
     same = abs(k_left - k_right) <= _SAME_CURVATURE * max(abs(k_left), abs(k_right))
-    for element, curvature in ((left, k_left), (e, k_right)):
-        if (same or curvature == max(k_left, k_right)) and not np.isnan(tour.round_radius[element]):
-            return None  # the whole arc is a candidate
-    rising = left not in slopes or _end_sign(slopes[left][::-1]) >= 0
-    falling = e not in slopes or _end_sign(slopes[e]) <= 0
-    if (same and rising and falling) or (not same and (rising if k_left > k_right else falling)):
-        return e, 0.0
-    return None
+    # On an inward arc the whole arc is the candidate.
+    if (same or k_left == most) and not math.isnan(tour.round_radius[left]):
+        return False
+    if (same or k_right == most) and not math.isnan(tour.round_radius[e]):
+        return False
+    if same:
+        return rises_at_end[left] and falls_at_start[e]
+    return rises_at_end[left] if k_left > k_right else falls_at_start[e]
 
 
-def _end_sign(coefficients: Floats) -> int:
-    """Sign of a polynomial at 0; 0 if it is lost in rounding."""
-    return int(np.sign(coefficients[0])) if abs(coefficients[0]) > _NOISE * np.abs(coefficients).max() else 0
-
-
-def _osculating_disc(tour: Tour, e: int, t: float) -> SettledDisc | None:
-    """Return the disc of curvature at a place, if it is empty."""
+@compiled
+def _settle_osculating(tour: Tour, faces: Faces, e: int, t: float) -> None:
+    """Add the disc of curvature at a place if it is empty, and not there yet."""
     x, y, nx, ny, curvature, _ = site(tour, e, t)
     if t == 0.0:
-        lx, ly, lnx, lny, left_curvature, _ = site(tour, int(tour.before[e]), 1.0)
+        lx, ly, lnx, lny, left_curvature, _ = site(tour, tour.before[e], 1.0)
         if left_curvature > curvature:
             x, y, nx, ny, curvature = lx, ly, lnx, lny, left_curvature
     if curvature <= _STRAIGHT:
-        return None
+        return
     r = 1 / curvature
     cx, cy = x + r * nx, y + r * ny
-    deepest, count, element, place_t = touching(tour, cx, cy, r, TOUCH, -1)
+    if holds_sample(tour, cx, cy, r, EMPTY):
+        return
+    deepest, count, element, place_t = touching(tour, cx, cy, r, TOUCH, NO_SKIP, EMPTY)
     if deepest < -EMPTY:
-        return None
-    here = _contact_across_border(tour, (e, t), cx, cy, r)
-    others = [
-        ((int(element[k]), float(place_t[k])),) * 2
-        for k in range(count)
-        if not one_contact(tour, (e, t), (int(element[k]), float(place_t[k])), cx, cy, r)
-    ]
-    return SettledDisc(cx, cy, r, (here, *others), "osculating")
+        return
+    first_e, first_t, last_e, last_t = _contact_across_border(tour, e, t, cx, cy, r)
+    if _repeats(tour, faces, cx, cy, r, first_e, first_t):
+        return
+    number = add_disc(faces, cx, cy, r, OSCULATING, TOUCH)
+    add_contact(faces, number, first_e, first_t, last_e, last_t)
+    for k in range(count):
+        if not one_contact(tour, e, t, element[k], place_t[k], cx, cy, r):
+            add_contact(faces, number, element[k], place_t[k], element[k], place_t[k])
 
 
-def _contact_across_border(tour: Tour, place: Place, cx: float, cy: float, r: float) -> Contact:
+@compiled
+def _contact_across_border(
+    tour: Tour, e: int, t: float, cx: float, cy: float, r: float
+) -> tuple[int, float, int, float]:
     """Return the contact of an osculating disc, with the nearest border if the disc follows the boundary so far."""
-    e, t = place
-    borders = ((e, 0.0), (int(tour.after[e]), 0.0)) if t > 0.0 else ()
-    for border in borders:
-        smooth = not tour.convex[border[0]] and 0 not in (tour.degree[border[0]], tour.degree[tour.before[border[0]]])
-        if smooth and one_contact(tour, place, border, cx, cy, r):
-            return (border, place) if border[0] == e else (place, border)
-    return place, place
+    if t > 0.0:
+        for border in (e, tour.after[e]):
+            smooth = not tour.convex[border] and tour.degree[border] != 0 and tour.degree[tour.before[border]] != 0
+            if smooth and one_contact(tour, e, t, border, 0.0, cx, cy, r):
+                return (border, 0.0, e, t) if border == e else (e, t, border, 0.0)
+    return e, t, e, t
 
 
-def one_contact(tour: Tour, a: Place, b: Place, cx: float, cy: float, r: float) -> bool:
-    """Whether two contacts of an osculating disc are one: near, with the boundary on the circle between them."""
-    if same_place(tour, *a, *b, r):
-        return True
-    if _apart(tour, a, b) > 0.02 * r:
-        return False
-    stretch = [(e, s) for e, lo, hi in _stretch(tour, a, b) for s in np.linspace(lo, hi, 5)]
-    points = np.array([site(tour, e, s)[:2] for e, s in stretch])
-    return bool(np.abs(np.hypot(points[:, 0] - cx, points[:, 1] - cy) - r).max() <= TOUCH)
+@compiled
+def _repeats(tour: Tour, faces: Faces, x: float, y: float, r: float, e: int, t: float) -> bool:
+    """Whether a candidate is a disc that was already found, from the other side of a border or of a symmetry."""
+    for c in range(faces.used[0]):
+        k = faces.disc[c]
+        if abs(faces.r[k] - r) <= _SAME_DISC and math.hypot(faces.x[k] - x, faces.y[k] - y) <= _SAME_DISC:
+            return True
+        if (
+            faces.kind[k] == OSCULATING
+            and (c == 0 or faces.disc[c - 1] != k)  # the first contact of a disc is where it osculates
+            and apart(tour, e, t, faces.first_e[c], faces.first_t[c]) <= _SAME_FOOT * r
+            and not _reflex_between(tour, e, t, faces.first_e[c], faces.first_t[c])
+        ):
+            return True
+    return False
 
 
-def _stretch(tour: Tour, a: Place, b: Place) -> list[tuple[int, float, float]]:
-    """Return the pieces of boundary between two places that are at most a few elements apart, the shorter way."""
-    ways = [way for way in (_way(tour, a, b), _way(tour, b, a)) if way]
-    return min(ways, key=lambda way: sum(high - low for _, low, high in way), default=[(a[0], 0.0, 1.0)])
+@compiled
+def _reflex_between(tour: Tour, e: int, t: float, f: int, s: float) -> bool:
+    """Whether a reflex vertex lies between two near places: the curves on both its sides may have an end each."""
+    there, there_cone = _way(tour, e, t, f, s)
+    back, back_cone = _way(tour, f, s, e, t)
+    return there_cone if there <= back else back_cone
 
 
-def _way(tour: Tour, a: Place, b: Place) -> list[tuple[int, float, float]]:
-    """Return the pieces from a forward to b; none if it is further than a few elements."""
-    pieces: list[tuple[int, float, float]] = []
-    e, t = a
+@compiled
+def _way(tour: Tour, e: int, t: float, f: int, s: float) -> tuple[float, bool]:
+    """Length in the tour's parameter from one place on to another, infinite beyond some elements; whether by a cone."""
+    length, cone = 0.0, False
     for _ in range(4):
-        if e == b[0] and t <= b[1]:
-            return [*pieces, (e, t, b[1])]
-        pieces.append((e, t, 1.0))
-        e, t = int(tour.after[e]), 0.0
-    return []
+        last = e == f and t <= s
+        end = s if last else 1.0
+        cone = cone or (tour.degree[e] == 0 and end > t)
+        length += end - t
+        if last:
+            return length, cone
+        e, t = tour.after[e], 0.0
+    return math.inf, False
 
 
-def _may_bend_inwards(control: Floats, degree: int) -> bool:
-    """Whether curvature is positive anywhere on a span, by the signs of det[X, X', X'']."""
-    points = control[: degree + 1]
-    first = degree * np.diff(points, axis=0)
-    second = (degree - 1) * np.diff(first, axis=0)
-    total = np.zeros(3 * degree - 2)
-    for (i, j, k), sign in (
-        ((0, 1, 2), 1),
-        ((1, 2, 0), 1),
-        ((2, 0, 1), 1),
-        ((0, 2, 1), -1),
-        ((1, 0, 2), -1),
-        ((2, 1, 0), -1),
-    ):
-        total += sign * product(product(points[:, i].copy(), first[:, j].copy()), second[:, k].copy())
-    return bool(total.max() > 0)
-
-
-@njit(cache=True)
+@compiled
 def falling_roots(coefficients: Floats) -> Floats:
     """Isolate the roots in (0, 1) at which a polynomial in Bernstein form falls through zero.
 
@@ -364,7 +376,7 @@ def falling_roots(coefficients: Floats) -> Floats:
     return roots[:count]
 
 
-@njit(cache=True)
+@compiled
 def _sign(coefficients: Floats, noise: float) -> int:
     """Sign of a polynomial right behind 0: of its first coefficient that is not lost in rounding."""
     for c in coefficients:
@@ -373,7 +385,7 @@ def _sign(coefficients: Floats, noise: float) -> int:
     return 0
 
 
-@njit(cache=True)
+@compiled
 def _bisected(coefficients: Floats, low: float, high: float) -> float:
     """Halve an interval in which a polynomial falls through zero."""
     for _ in range(60):

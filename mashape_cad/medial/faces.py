@@ -9,7 +9,7 @@ gap
 face
     A part of the domain between discs, as the cycle of gaps around it. Walking along a gap to its last contact, the
     face goes on with the gap that starts at the clockwise next contact of the same disc. Contacts and gaps are a
-    half-edge structure with the discs as chords.
+    half-edge structure with the discs as chords; a face is not stored, it is walked.
 
 A face with n gaps holds a tree of the medial axis with n ends (the discs at its corners): n = 2 is one piece of a
 branch, n = 3 one junction of degree three. n = 1 cannot be.
@@ -21,179 +21,440 @@ decomposition lemma.
 """
 
 import math
-from bisect import bisect_right, insort
+from dataclasses import dataclass
+from typing import NamedTuple, cast
 
 import numpy as np
 
-from mashape_cad.errors import AxisError
-from mashape_cad.medial.ends import Contact, Place, SettledDisc
-from mashape_cad.medial.tour import Tour, site
+from mashape_cad.geometry.edge import Floats
+from mashape_cad.medial.compiled import compiled
+from mashape_cad.medial.emptiness import TOUCH
+from mashape_cad.medial.tour import Ints, Tour, site
 
-__all__ = ["Face", "Faces"]
+__all__ = [
+    "ARC",
+    "CLUSTER",
+    "CONTACTS",
+    "CORNER",
+    "DISCS",
+    "JUNCTION",
+    "LAID_OUT",
+    "LOOSE_LOOP",
+    "OSCULATING",
+    "STATION",
+    "WRONG_COUNT",
+    "Contact",
+    "Faces",
+    "Place",
+    "SettledDisc",
+    "add_contact",
+    "add_disc",
+    "attach",
+    "blank_faces",
+    "corner",
+    "cycle",
+    "distinct_faces",
+    "gap_at",
+    "insert",
+    "is_laid_out",
+    "lay_out",
+    "on_contact",
+    "settled_discs",
+    "stretch",
+]
 
-Face = tuple[int, ...]  # gaps, each named by its first contact
-_Key = tuple[int, float, int]
+Place = tuple[int, float]
+Contact = tuple[Place, Place]  # first and last place; equal but for a disc that touches along an arc
+
+# What a disc was settled as. (Typed, since numba compiles a function anew for each literal.)
+CORNER, OSCULATING, ARC, STATION, JUNCTION, CLUSTER = (cast("int", np.int64(kind)) for kind in range(6))
+_KINDS = ("corner", "osculating", "arc", "station", "junction", "cluster")
+# How many discs may be settled: many more for each element than any shape has needed, so that a search that does not
+# end is ended.
+_DISCS_PER_ELEMENT, _DISCS_AT_LEAST = 40, 400
+# Rows of `Faces.used`.
+CONTACTS, DISCS, _STAMP = range(3)
+# What `lay_out` may find.
+LAID_OUT, LOOSE_LOOP, WRONG_COUNT = range(3)
 
 
-class Faces:
+class Faces(NamedTuple):
     """Discs settled so far, their contacts on the loops, and the faces between them.
 
-    Grows only by `insert` and `attach`, each of which splits one face; so it is planar by construction.
+    All arrays are as long as may be needed; ``used`` says how many rows count. Once laid out it grows only by `insert`
+    and `attach`, each of which splits one face; so it is planar by construction.
+
+    Attributes
+    ----------
+    used : (3,) array
+        Number of contacts, number of discs, and a stamp for marks.
+    first_e, first_t, last_e, last_t : arrays
+        Places at which a contact starts and ends.
+    disc : array
+        The disc that touches at a contact.
+    after : array
+        The next contact on the loop: where the contact's gap ends.
+    clockwise : array
+        The next contact on the disc, clockwise: where a face goes on that has come to this one along a gap.
+    head : (n,) array
+        The first contact on each element; -1 if there is none.
+    x, y, r, tol : arrays
+        Centres and radii of discs in the tour's scale; how far the contacts may lie off the circle.
+    kind : array
+        What a disc was settled as: `CORNER` and so on.
+    mark : array
+        For walks over many faces: a contact is marked if it bears the present stamp.
     """
 
-    def __init__(self, tour: Tour, discs: list[SettledDisc]) -> None:
-        """Lay out the first discs, which must link all loops; whether the faces are simply connected is checked."""
-        self.tour = tour
-        self.discs: list[SettledDisc] = []
-        self.contact: list[Contact] = []
-        self.disc_of: list[int] = []
-        self.after: list[int] = []
-        self._order: list[list[_Key]] = [[] for _ in range(int(tour.loop.max()) + 1)]
-        self._face: dict[int, Face] = {}
-        around = [self._record(disc) for disc in discs]
-        self._link_loops()
-        self._trace_faces(around)
+    used: Ints
+    first_e: Ints
+    first_t: Floats
+    last_e: Ints
+    last_t: Floats
+    disc: Ints
+    after: Ints
+    clockwise: Ints
+    head: Ints
+    x: Floats
+    y: Floats
+    r: Floats
+    tol: Floats
+    kind: Ints
+    mark: Ints
 
-    @property
-    def faces(self) -> list[Face]:
-        """All faces, each once."""
-        return list(dict.fromkeys(self._face.values()))
 
-    def gap(self, contact: int) -> tuple[Place, Place]:
-        """Return the first and last place of the gap that starts at a contact."""
-        return self.contact[contact][1], self.contact[self.after[contact]][0]
+@dataclass(frozen=True, slots=True)
+class SettledDisc:
+    """A maximal disc in the tour's scale, for whoever looks at one.
 
-    def stretch(self, contact: int) -> tuple[int, float, float] | None:
-        """Return a gap as ``(element, low, high)``; None while it spans several elements."""
-        (e, low), (f, high) = self.gap(contact)
-        if (e, low) == (f, high) or e != f:
-            return (e, low, 1.0) if (f, high) == (int(self.tour.after[e]), 0.0) else None
-        return (e, low, high) if low < high else None
+    Attributes
+    ----------
+    x, y, r : float
+        Centre and radius.
+    contacts : tuple of (place, place)
+        First and last place of each contact.
+    kind : str
+        ``corner``, ``osculating``, ``arc``, ``station``, ``junction`` or ``cluster``.
+    tol : float
+        How far the contacts may lie off the circle.
+    """
 
-    def gap_at(self, place: Place) -> int | None:
-        """Return the gap that holds a place strictly inside; None if the place is on a contact."""
-        order = self._order[int(self.tour.loop[place[0]])]
-        if not order:
-            return None
-        at = bisect_right(order, (*place, len(self.contact)))
-        contact = order[at - 1][2]  # at = 0 wraps to the loop's last contact
-        first, last = self.contact[contact]
-        if place == first or self._inside_arc(first, last, place):
-            return None
-        return contact
+    x: float
+    y: float
+    r: float
+    contacts: tuple[Contact, ...]
+    kind: str
+    tol: float = TOUCH
 
-    def face_of(self, gap: int) -> Face:
-        """Return the face that a gap bounds."""
-        return self._face[gap]
 
-    def corner(self, face: Face, k: int) -> int:
-        """Return the disc between gap k and gap k + 1 of a face."""
-        return self.disc_of[self.after[face[k]]]
-
-    def insert(self, disc: SettledDisc, face: Face, at: list[tuple[int, Place]]) -> list[Face]:
-        """Split a face by a disc.
-
-        Parameters
-        ----------
-        disc : SettledDisc
-            Its contacts are replaced by the places of `at`.
-        face : Face
-        at : list of (k, place)
-            Contacts: position of the gap in the face, and the place strictly inside that gap. All gaps differ.
-
-        Returns
-        -------
-        list of Face
-            The parts, as many as contacts.
-        """
-        at = sorted(at)
-        contacts = tuple((place, place) for _, place in at)
-        number = len(self.discs)
-        self.discs.append(
-            SettledDisc(disc.x, disc.y, disc.r, contacts, disc.kind, disc.tol),
+def settled_discs(faces: Faces) -> list[SettledDisc]:
+    """Return the discs of `faces` with their contacts."""
+    contacts: list[list[Contact]] = [[] for _ in range(int(faces.used[DISCS]))]
+    for c in range(int(faces.used[CONTACTS])):
+        first, last = (int(faces.first_e[c]), float(faces.first_t[c])), (int(faces.last_e[c]), float(faces.last_t[c]))
+        contacts[int(faces.disc[c])].append((first, last))
+    return [
+        SettledDisc(
+            float(faces.x[d]), float(faces.y[d]), float(faces.r[d]), tuple(touched), _KINDS[faces.kind[d]], faces.tol[d]
         )
-        new = [self._new_contact((place, place), number, face[k]) for k, place in at]
-        parts = []
-        for i, (k, _) in enumerate(at):
-            following, wraps = at[(i + 1) % len(at)][0], i + 1 == len(at)
-            rest = face[k + 1 :] + face[: following + 1] if wraps else face[k + 1 : following + 1]
-            parts.append((new[i], *rest))
-        return self._replace_faces(parts)
+        for d, touched in enumerate(contacts)
+    ]
 
-    def attach(self, number: int, face: Face, corner: int, k: int, place: Place) -> list[Face]:
-        """Give a disc at a face's corner one more contact, in gap k: the face splits in two."""
-        old = self.discs[number]
-        contacts = (*old.contacts, (place, place))
-        self.discs[number] = SettledDisc(old.x, old.y, old.r, contacts, "junction", old.tol)
-        new = self._new_contact((place, place), number, face[k])
-        turned = face[corner + 1 :] + face[: corner + 1]  # now the disc sits behind the last gap
-        at = turned.index(face[k])
-        return self._replace_faces([turned[: at + 1], (new, *turned[at + 1 :])])
 
-    def _record(self, disc: SettledDisc) -> list[int]:
-        """Add a disc of the first layout; returns its contacts in counter-clockwise order."""
-        number = len(self.discs)
-        self.discs.append(disc)
-        contacts = []
-        for contact in sorted(disc.contacts, key=lambda contact: self._angle(disc, contact)):
-            contacts.append(len(self.contact))
-            self._remember(contact, number)
-        return contacts
+@compiled
+def blank_faces(tour: Tour) -> Faces:
+    """Return the domain before any cut."""
+    n = len(tour.degree)
+    discs = _DISCS_PER_ELEMENT * n + _DISCS_AT_LEAST
+    contacts = 3 * discs
+    return Faces(
+        np.zeros(3, np.int64),
+        np.empty(contacts, np.int64),
+        np.empty(contacts),
+        np.empty(contacts, np.int64),
+        np.empty(contacts),
+        np.empty(contacts, np.int64),
+        np.empty(contacts, np.int64),
+        np.empty(contacts, np.int64),
+        np.full(n, -1),
+        np.empty(discs),
+        np.empty(discs),
+        np.empty(discs),
+        np.empty(discs),
+        np.empty(discs, np.int64),
+        np.zeros(contacts, np.int64),
+    )
 
-    def _angle(self, disc: SettledDisc, contact: Contact) -> float:
-        x, y, *_ = site(self.tour, *contact[0])
-        return math.atan2(y - disc.y, x - disc.x)
 
-    def _remember(self, contact: Contact, number: int) -> None:
-        (e, t), _ = contact
-        insort(self._order[int(self.tour.loop[e])], (e, t, len(self.contact)))
-        self.contact.append(contact)
-        self.disc_of.append(number)
-        self.after.append(-1)
+@compiled
+def add_disc(faces: Faces, x: float, y: float, r: float, kind: int, tol: float) -> int:
+    """Append a disc, as yet without contacts; return its number."""
+    number = faces.used[DISCS]
+    faces.x[number], faces.y[number], faces.r[number] = x, y, r
+    faces.kind[number], faces.tol[number] = kind, tol
+    faces.used[DISCS] = number + 1
+    return number
 
-    def _new_contact(self, contact: Contact, number: int, gap: int) -> int:
-        """Put a contact inside a gap."""
-        new = len(self.contact)
-        self._remember(contact, number)
-        self.after[new], self.after[gap] = self.after[gap], new
-        return new
 
-    def _link_loops(self) -> None:
-        for number, order in enumerate(self._order):
-            if not order:
-                e = int(np.flatnonzero(self.tour.loop == number)[0])
-                x, y, *_ = site(self.tour, e, 0.0)
-                raise AxisError(f"no disc touches loop {number}", (x, y))
-            for (_, _, a), (_, _, b) in zip(order, order[1:] + order[:1], strict=True):
-                self.after[a] = b
+@compiled
+def add_contact(faces: Faces, number: int, e: int, t: float, f: int, s: float) -> int:
+    """Append a contact of a disc, from place (e, t) to place (f, s), as yet tied to no other; return its number."""
+    contact = faces.used[CONTACTS]
+    faces.first_e[contact], faces.first_t[contact] = e, t
+    faces.last_e[contact], faces.last_t[contact] = f, s
+    faces.disc[contact] = number
+    faces.used[CONTACTS] = contact + 1
+    return contact
 
-    def _trace_faces(self, around: list[list[int]]) -> None:
-        """Find the cycles of: go along a gap, turn clockwise to the disc's next contact."""
-        clockwise = {c: ring[i - 1] for ring in around for i, c in enumerate(ring)}
-        seen: set[int] = set()
-        for start in range(len(self.contact)):
-            cycle, at = [], start
-            while at not in seen:
-                seen.add(at)
-                cycle.append(at)
-                at = clockwise[self.after[at]]
-            if cycle:
-                self._replace_faces([tuple(cycle)])
-        holes = len(self._order) - 1
-        expected = 1 - holes + sum(len(ring) - 1 for ring in around)
-        if len(self.faces) != expected:
-            raise AxisError(f"the first discs cut the domain into {len(self.faces)} faces, not {expected}")
 
-    def _replace_faces(self, parts: list[Face]) -> list[Face]:
-        for part in parts:
-            for gap in part:
-                self._face[gap] = part
-        return parts
+@compiled
+def lay_out(tour: Tour, faces: Faces) -> tuple[int, int]:
+    """Tie the first contacts together round their loops and their discs.
 
-    def _inside_arc(self, first: Place, last: Place, place: Place) -> bool:
-        """Whether a place lies on a contact's arc, ends included."""
-        if first == last:
-            return False
-        if first < last:
-            return first <= place <= last
-        return place >= first or place <= last
+    Returns
+    -------
+    outcome : int
+        `LAID_OUT`, or `LOOSE_LOOP` where no disc touches a loop, or `WRONG_COUNT` if the discs do not make all faces
+        simply connected.
+    loop_or_faces : int
+        The loose loop, or how many faces there are.
+    """
+    following = _sort_on_elements(faces)
+    for loop in range(tour.loop.max() + 1):
+        if not _tie_loop(tour, faces, following, loop):
+            return LOOSE_LOOP, loop
+    _tie_discs(tour, faces)
+    found = _face_count(faces)
+    if found != 1 - tour.loop.max() + faces.used[CONTACTS] - faces.used[DISCS]:
+        return WRONG_COUNT, found
+    return LAID_OUT, found
+
+
+@compiled
+def _sort_on_elements(faces: Faces) -> Ints:
+    """Set `head`; return for each contact the next one on its element, -1 behind the last."""
+    following = np.full(faces.used[CONTACTS], -1)
+    for c in range(faces.used[CONTACTS]):
+        e, t = faces.first_e[c], faces.first_t[c]
+        before, at = -1, faces.head[e]
+        while at >= 0 and faces.first_t[at] <= t:
+            before, at = at, following[at]
+        following[c] = at
+        if before < 0:
+            faces.head[e] = c
+        else:
+            following[before] = c
+    return following
+
+
+@compiled
+def _tie_loop(tour: Tour, faces: Faces, following: Ints, loop: int) -> bool:
+    """Set `after` round a loop; False if it has no contact."""
+    first, last = -1, -1
+    for e in range(len(tour.loop)):
+        if tour.loop[e] != loop:
+            continue
+        c = faces.head[e]
+        while c >= 0:
+            if first < 0:
+                first = c
+            else:
+                faces.after[last] = c
+            last = c
+            c = following[c]
+    if first >= 0:
+        faces.after[last] = first
+    return first >= 0
+
+
+@compiled
+def _tie_discs(tour: Tour, faces: Faces) -> None:
+    """Set `clockwise` round each disc."""
+    n = faces.used[CONTACTS]
+    angle = np.empty(n)
+    largest, next_of_disc = np.full(faces.used[DISCS], -1), np.full(n, -1)
+    for c in range(n):
+        d = faces.disc[c]
+        x, y, _, _, _, _ = site(tour, faces.first_e[c], faces.first_t[c])
+        angle[c] = math.atan2(y - faces.y[d], x - faces.x[d])
+        before, at = -1, largest[d]
+        while at >= 0 and angle[at] >= angle[c]:
+            before, at = at, next_of_disc[at]
+        next_of_disc[c] = at
+        if before < 0:
+            largest[d] = c
+        else:
+            next_of_disc[before] = c
+    for c in range(n):
+        faces.clockwise[c] = next_of_disc[c] if next_of_disc[c] >= 0 else largest[faces.disc[c]]
+
+
+@compiled
+def _face_count(faces: Faces) -> int:
+    stamp = _new_stamp(faces)
+    found = 0
+    for c in range(faces.used[CONTACTS]):
+        if faces.mark[c] != stamp:
+            found += 1
+            _mark_cycle(faces, c, stamp)
+    return found
+
+
+@compiled
+def _new_stamp(faces: Faces) -> int:
+    faces.used[_STAMP] += 1
+    return faces.used[_STAMP]
+
+
+@compiled
+def _mark_cycle(faces: Faces, gap: int, stamp: int) -> None:
+    at = gap
+    while faces.mark[at] != stamp:
+        faces.mark[at] = stamp
+        at = faces.clockwise[faces.after[at]]
+
+
+@compiled
+def distinct_faces(faces: Faces, gaps: Ints) -> Ints:
+    """Keep of some gaps one for each face."""
+    stamp = _new_stamp(faces)
+    kept, count = np.empty(len(gaps), np.int64), 0
+    for gap in gaps:
+        if faces.mark[gap] != stamp:
+            _mark_cycle(faces, gap, stamp)
+            kept[count] = gap
+            count += 1
+    return kept[:count]
+
+
+@compiled
+def cycle(faces: Faces, gap: int) -> Ints:
+    """Return the gaps of the face that a gap bounds, in order, this one first."""
+    n, at = 1, faces.clockwise[faces.after[gap]]
+    while at != gap:
+        n += 1
+        at = faces.clockwise[faces.after[at]]
+    found = np.empty(n, np.int64)
+    for k in range(n):
+        found[k] = at
+        at = faces.clockwise[faces.after[at]]
+    return found
+
+
+@compiled
+def corner(faces: Faces, gap: int) -> int:
+    """Return the disc at the end of a gap: the corner between it and the face's next gap."""
+    return faces.disc[faces.after[gap]]
+
+
+@compiled
+def stretch(tour: Tour, faces: Faces, gap: int) -> tuple[bool, int, float, float]:
+    """Return a gap as part of one element: ``(on one, element, low, high)``; not while it spans several elements."""
+    end = faces.after[gap]
+    e, low = faces.last_e[gap], faces.last_t[gap]
+    f, high = faces.first_e[end], faces.first_t[end]
+    if f == tour.after[e] and high == 0.0:
+        return True, e, low, 1.0
+    return e == f and low < high, e, low, high
+
+
+@compiled
+def is_laid_out(tour: Tour, faces: Faces, gap: int) -> bool:
+    """Whether a face is one piece of a branch: two gaps, each on one element."""
+    other = faces.clockwise[faces.after[gap]]
+    if other == gap or faces.clockwise[faces.after[other]] != gap:
+        return False
+    return stretch(tour, faces, gap)[0] and stretch(tour, faces, other)[0]
+
+
+@compiled
+def gap_at(tour: Tour, faces: Faces, e: int, t: float) -> int:
+    """Return the gap that holds a place strictly inside; -1 if the place is on a contact."""
+    at, f = faces.head[e], e
+    if at < 0 or faces.first_t[at] > t:
+        f = tour.before[e]
+        while faces.head[f] < 0:
+            f = tour.before[f]
+        at, t_most = faces.head[f], math.inf
+    else:
+        t_most = t
+    while True:
+        following = faces.after[at]
+        if following == faces.head[f] or faces.first_e[following] != f or faces.first_t[following] > t_most:
+            break
+        at = following
+    return -1 if on_contact(faces, at, e, t) else at
+
+
+@compiled
+def on_contact(faces: Faces, c: int, e: int, t: float) -> bool:
+    """Whether a place is a contact's, or lies on its arc, ends included."""
+    a, s, b, u = faces.first_e[c], faces.first_t[c], faces.last_e[c], faces.last_t[c]
+    if a == b and s == u:
+        return e == a and t == s
+    from_first = e > a or (e == a and t >= s)
+    to_last = e < b or (e == b and t <= u)
+    if a < b or (a == b and s < u):
+        return from_first and to_last
+    return from_first or to_last  # the arc runs over the start of the loop
+
+
+@compiled
+def insert(faces: Faces, number: int, gaps: Ints, e: Ints, t: Floats) -> Ints:
+    """Split a face by a disc.
+
+    Parameters
+    ----------
+    number : int
+        The disc, as yet without contacts.
+    gaps : (m,) array
+        Different gaps of one face, in its order.
+    e, t : (m,) arrays
+        The contacts: a place strictly inside each gap.
+
+    Returns
+    -------
+    (m,) array
+        The new contacts; the gap behind each bounds one of the m parts.
+    """
+    m = len(gaps)
+    new = np.empty(m, np.int64)
+    for i in range(m):
+        new[i] = _put_contact(faces, number, gaps[i], e[i], t[i])
+    for i in range(m):
+        faces.clockwise[new[i]] = new[i - 1]
+    return new
+
+
+@compiled
+def attach(faces: Faces, before: int, gap: int, e: int, t: float) -> int:
+    """Give the disc at a face's corner one more contact, in another gap of that face, which splits in two.
+
+    Parameters
+    ----------
+    before : int
+        The gap that ends at the corner.
+    gap, e, t
+        The other gap, and the place strictly inside it.
+
+    Returns
+    -------
+    int
+        The new contact.
+    """
+    here = faces.after[before]
+    number = faces.disc[here]
+    new = _put_contact(faces, number, gap, e, t)
+    faces.clockwise[new], faces.clockwise[here] = faces.clockwise[here], new
+    faces.kind[number] = JUNCTION
+    return new
+
+
+@compiled
+def _put_contact(faces: Faces, number: int, gap: int, e: int, t: float) -> int:
+    """Put a contact inside a gap."""
+    new = add_contact(faces, number, e, t, e, t)
+    faces.after[new], faces.after[gap] = faces.after[gap], new
+    if faces.head[e] < 0 or t < faces.first_t[faces.head[e]]:
+        faces.head[e] = new
+    return new

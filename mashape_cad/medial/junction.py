@@ -9,9 +9,9 @@ centre.
 import math
 
 import numpy as np
-from numba import njit
 
 from mashape_cad.geometry.edge import Floats
+from mashape_cad.medial.compiled import compiled
 from mashape_cad.medial.emptiness import cone_turn
 from mashape_cad.medial.tour import Ints, Tour, site
 
@@ -27,7 +27,7 @@ _WIDEST = 10.0  # a disc beyond this radius (sizes) has run away
 _STIFF = 1e-12  # a circle of curvature this near to the disc lets its foot stay where it is
 
 
-@njit(cache=True)
+@compiled
 def junction_disc(
     tour: Tour, element: Ints, low: Floats, high: Floats, start: Floats
 ) -> tuple[bool, float, float, float, Floats]:
@@ -94,7 +94,7 @@ def junction_disc(
     return residual < _RESIDUAL, x, y, r, t
 
 
-@njit(cache=True)
+@compiled
 def _solved(nx: Floats, ny: Floats, rhs: Floats) -> tuple[bool, float, float, float]:
     """Solve ``n_i . c - r = rhs_i`` by elimination with full pivoting.
 

@@ -6,68 +6,152 @@ loop, whose own highest point is higher still. One such disc for each hole links
 
 import math
 
-import numpy as np
-
+from mashape_cad.medial.compiled import compiled
+from mashape_cad.medial.contact import one_contact
 from mashape_cad.medial.disc import maximal_disc
-from mashape_cad.medial.ends import Place, SettledDisc
+from mashape_cad.medial.emptiness import TOUCH
+from mashape_cad.medial.faces import (
+    CONTACTS,
+    DISCS,
+    STATION,
+    Faces,
+    SettledDisc,
+    add_contact,
+    add_disc,
+    blank_faces,
+    on_contact,
+    settled_discs,
+)
 from mashape_cad.medial.tour import Tour, site
 
-__all__ = ["links"]
+__all__ = ["links", "settle_links"]
 
-# Any direction serves; a crooked one seldom meets the symmetries of drawings, where discs have more than two contacts.
-_UP = (math.cos(1.1), math.sin(1.1))
+# Any direction (radians) serves; crooked ones seldom meet the symmetries of drawings, where discs have more than two
+# contacts. The next one is taken where a disc happens to touch a vertex that turns by next to nothing: there it has two
+# contacts so near to one another that they cannot be told apart.
+_DIRECTIONS = (1.1, 2.6, 4.3, 5.7)
+# Two discs with centre and radius this close are one (sizes of the shape).
+_SAME_DISC = 1e-9
+# Height (sizes) by which a cone wins over the ends of its neighbours: only its normals include the direction.
+_CONE_WINS = 1e-12
+# Samples among which the highest point of a span is looked for.
+_STEPS = 32
 
 
 def links(tour: Tour) -> list[SettledDisc]:
     """Return one disc for each hole, touching it and another loop."""
-    discs = []
-    for loop in range(1, int(tour.loop.max()) + 1):
-        place = _highest(tour, loop)
-        x, y, r, ok, count, element, t = maximal_disc(tour, *place)
-        if ok and count:
-            places = [place, *((int(element[k]), float(t[k])) for k in range(count))]
-            discs.append(SettledDisc(x, y, r, tuple((p, p) for p in places), "station"))
-    return discs
+    faces = blank_faces(tour)
+    settle_links(tour, faces)
+    return settled_discs(faces)
 
 
-def _highest(tour: Tour, loop: int) -> Place:
-    """Place of a hole that is highest in direction `_UP`, with its normal in that direction."""
-    elements = np.flatnonzero(tour.loop == loop)
-    best: tuple[float, Place] = (-math.inf, (int(elements[0]), 0.0))
-    for e in elements.tolist():
-        t = _highest_on_cone(tour, e) if tour.degree[e] == 0 else _highest_on_span(tour, e)
-        if t is not None:
-            x, y, *_ = site(tour, e, t)
-            # A cone wins over the ends of its neighbours: only its normals include the direction.
-            height = _UP[0] * x + _UP[1] * y + (1e-12 if tour.degree[e] == 0 else 0.0)
-            best = max(best, (height, (e, t)))
-    return best[1]
+@compiled
+def settle_links(tour: Tour, faces: Faces) -> None:
+    """Add one disc for each hole; one that is settled already gets the contacts that it lacks."""
+    contacts, discs = faces.used[CONTACTS], faces.used[DISCS]
+    for direction in _DIRECTIONS:
+        faces.used[CONTACTS], faces.used[DISCS] = contacts, discs
+        clear = True
+        for loop in range(1, tour.loop.max() + 1):
+            clear = clear and _settle_link(tour, faces, loop, math.cos(direction), math.sin(direction))
+        if clear:
+            break
 
 
-def _highest_on_cone(tour: Tour, e: int) -> float | None:
-    """Parameter at which a cone's normal points up, if it does."""
+@compiled
+def _settle_link(tour: Tour, faces: Faces, loop: int, up_x: float, up_y: float) -> bool:
+    """Add the disc at the highest point of one loop; return whether no contact is a convex vertex."""
+    e, t = _highest(tour, loop, up_x, up_y)
+    x, y, r, ok, count, element, place_t = maximal_disc(tour, e, t)
+    if not ok or count == 0:
+        return False
+    number = _settled(faces, x, y, r)
+    known = faces.used[CONTACTS]
+    if number < 0:
+        number, known = add_disc(faces, x, y, r, STATION, TOUCH), 0
+    _add_lacking(tour, faces, number, known, e, t)
+    clear = not (t == 0.0 and tour.convex[e])
+    for k in range(count):
+        _add_lacking(tour, faces, number, known, element[k], place_t[k])
+        clear = clear and not (place_t[k] == 0.0 and tour.convex[element[k]])
+    return clear
+
+
+@compiled
+def _settled(faces: Faces, x: float, y: float, r: float) -> int:
+    """Return the disc that is this one; -1 if there is none."""
+    for k in range(faces.used[DISCS]):
+        if math.hypot(faces.x[k] - x, faces.y[k] - y) <= _SAME_DISC and abs(faces.r[k] - r) <= _SAME_DISC:
+            return k
+    return -1
+
+
+@compiled
+def _add_lacking(tour: Tour, faces: Faces, number: int, known: int, e: int, t: float) -> None:
+    """Add a contact to a disc unless it is one of the first `known` contacts."""
+    x, y, r = faces.x[number], faces.y[number], faces.r[number]
+    for c in range(known):
+        if faces.disc[c] == number and (
+            on_contact(faces, c, e, t)
+            or one_contact(tour, e, t, faces.first_e[c], faces.first_t[c], x, y, r)
+            or one_contact(tour, e, t, faces.last_e[c], faces.last_t[c], x, y, r)
+        ):
+            return
+    add_contact(faces, number, e, t, e, t)
+
+
+@compiled
+def _highest(tour: Tour, loop: int, up_x: float, up_y: float) -> tuple[int, float]:
+    """Place of a hole that is highest in a direction, with its normal in that direction."""
+    best, best_e, best_t = -math.inf, -1, 0.0
+    for e in range(len(tour.loop)):
+        if tour.loop[e] != loop:
+            continue
+        is_cone = tour.degree[e] == 0
+        t = _highest_on_cone(tour, e, up_x, up_y) if is_cone else _highest_on_span(tour, e, up_x, up_y)
+        if not 0.0 <= t < 1.0:
+            continue
+        x, y, _, _, _, _ = site(tour, e, t)
+        height = up_x * x + up_y * y + (_CONE_WINS if is_cone else 0.0)
+        if height > best:
+            best, best_e, best_t = height, e, t
+    return best_e, best_t
+
+
+@compiled
+def _highest_on_cone(tour: Tour, e: int, up_x: float, up_y: float) -> float:
+    """Parameter at which a cone's normal points up; outside (0, 1) if none does."""
     middle = tour.cone[e, 1] / 2
-    turned = math.remainder(math.atan2(_UP[1], _UP[0]) - tour.cone[e, 0] - middle, 2 * math.pi) + middle
-    t = turned / tour.cone[e, 1]
-    return t if 0.0 < t < 1.0 else None
+    turned = math.atan2(up_y, up_x) - tour.cone[e, 0] - middle
+    turned -= 2 * math.pi * math.floor(turned / (2 * math.pi) + 0.5)
+    t = (turned + middle) / tour.cone[e, 1]
+    return t if 0.0 < t < 1.0 else -1.0
 
 
-def _highest_on_span(tour: Tour, e: int, count: int = 32) -> float | None:
-    """Parameter of a span's highest interior point; its start if that is highest; None if its end is."""
-
-    def climb(t: float) -> float:
-        _, _, nx, ny, _, _ = site(tour, e, t)
-        return float(ny * _UP[0] - nx * _UP[1])  # tangent . up
-
-    steps = np.linspace(0.0, 1.0, count + 1)
-    heights = [_UP[0] * x + _UP[1] * y for x, y, *_ in (site(tour, e, t) for t in steps)]
-    k = int(np.argmax(heights))
-    if k == count:
-        return None
-    low, high = float(steps[max(k - 1, 0)]), float(steps[k + 1])
-    if climb(low) <= 0.0 or climb(high) >= 0.0:
-        return 0.0 if k == 0 else float(steps[k])
+@compiled
+def _highest_on_span(tour: Tour, e: int, up_x: float, up_y: float) -> float:
+    """Parameter of a span's highest point; 1 if that is its end, which belongs to the next element."""
+    most, k = -math.inf, 0
+    for i in range(_STEPS + 1):
+        x, y, _, _, _, _ = site(tour, e, i / _STEPS)
+        if up_x * x + up_y * y > most:
+            most, k = up_x * x + up_y * y, i
+    if k == _STEPS:
+        return 1.0
+    low, high = max(k - 1, 0) / _STEPS, (k + 1) / _STEPS
+    if _climb(tour, e, low, up_x, up_y) <= 0.0 or _climb(tour, e, high, up_x, up_y) >= 0.0:
+        return k / _STEPS
     for _ in range(60):
         middle = (low + high) / 2
-        low, high = (middle, high) if climb(middle) > 0.0 else (low, middle)
+        if _climb(tour, e, middle, up_x, up_y) > 0.0:
+            low = middle
+        else:
+            high = middle
     return (low + high) / 2
+
+
+@compiled
+def _climb(tour: Tour, e: int, t: float, up_x: float, up_y: float) -> float:
+    """How much the boundary rises along its tangent."""
+    _, _, nx, ny, _, _ = site(tour, e, t)
+    return ny * up_x - nx * up_y

@@ -19,13 +19,13 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from mashape_cad.errors import InvalidProfileError
-from mashape_cad.geometry.edge import Edge, Floats
+from mashape_cad.geometry.edge import EllipseArc, Floats
 from mashape_cad.geometry.profile import Profile
-from mashape_cad.medial.bezier import evaluate, power_distance
+from mashape_cad.medial.bezier import evaluate, halve, power_distance
+from mashape_cad.medial.compiled import compiled
 
 __all__ = ["ROUND", "Frame", "Ints", "Tour", "site", "tour"]
 
@@ -45,8 +45,15 @@ _CUSP = 1e-7
 ROUND = 1e-9
 # A circle of more than this radius (sizes) is as good as a straight line: its centre would be noise.
 _FLAT = 1e4
+# Loops are closed by moving ends at most this far (sizes); readers join edges far closer. An edge shorter than this has
+# no length.
+_JOINED = 1e-9
 # Samples that seed the search for a touching place. Fewer cost a restart of that search, never an answer.
 _SAMPLES_CURVED, _SAMPLES_STRAIGHT = 12, 5
+# Parts into which a span is cut for the frame's box; a power of two.
+_BOX_PARTS = 8
+# What may be wrong with a boundary.
+_SOUND, _OPEN, _NO_LENGTH, _IS_CUSP = range(4)
 
 
 class Tour(NamedTuple):
@@ -72,8 +79,11 @@ class Tour(NamedTuple):
         Edge parameter at the element's ends.
     box : (n, 4) array
         xmin, ymin, xmax, ymax of the control points.
+    angle : (n,) array
+        Signed angle over which an elliptic arc's span runs, radians; 0 on other elements.
     sample : (k, 2) array
-        Points on the spans, with `sample_element` and `sample_t`.
+        Points on the spans, with their parameters `sample_t`; those of element e stand in rows ``sample_from[e]`` to
+        ``sample_from[e + 1]``.
     round_centre : (n, 2) array
         Centre of the span's circle, where it is circular and bends inwards, else NaN; `round_radius` likewise.
     """
@@ -89,9 +99,10 @@ class Tour(NamedTuple):
     edge_from: Floats
     edge_to: Floats
     box: Floats
+    angle: Floats
     sample: Floats
-    sample_element: Ints
     sample_t: Floats
+    sample_from: Ints
     round_centre: Floats
     round_radius: Floats
 
@@ -103,7 +114,7 @@ class Frame(NamedTuple):
     size: float
 
 
-@njit(cache=True)
+@compiled
 def site(tour: Tour, e: int, t: float) -> tuple[float, float, float, float, float, float]:
     """Return what a maximal disc sees of a place.
 
@@ -126,6 +137,18 @@ def site(tour: Tour, e: int, t: float) -> tuple[float, float, float, float, floa
     return x, y, -dy / speed, dx / speed, (dx * ddy - dy * ddx) / speed**3, speed
 
 
+class _Spans(NamedTuple):
+    """The edges as rational Bezier pieces in the order of the boundary; names as in `Tour`."""
+
+    control: Floats
+    degree: Ints
+    loop: Ints
+    edge: Ints
+    edge_from: Floats
+    edge_to: Floats
+    angle: Floats
+
+
 def tour(profile: Profile) -> tuple[Tour, Frame]:
     """Lay a profile's boundary out as a tour.
 
@@ -134,196 +157,300 @@ def tour(profile: Profile) -> tuple[Tour, Frame]:
     InvalidProfileError
         If an edge has no length, a loop does not close, or two edges leave a vertex in the same direction.
     """
-    low, high = profile.bounds
-    frame = Frame((low + high) / 2, float(np.max(high - low)))
-    if not (np.isfinite(frame.size) and frame.size > 0):
+    spans = _spans(profile)
+    outer = int(np.count_nonzero(spans.loop == 0))
+    x0, y0, x1, y1 = _box_of(spans.control[:outer], spans.degree[:outer])
+    frame = Frame(np.array([(x0 + x1) / 2, (y0 + y1) / 2]), max(x1 - x0, y1 - y0))
+    if not (math.isfinite(frame.size) and frame.size > 0):
         raise InvalidProfileError("degenerate", "the profile has no extent")
-    builder = _Builder(frame)
-    number = 0
-    for index, loop in enumerate(profile.loops):
-        builder.add_loop(index, loop.edges, number)
-        number += len(loop.edges)
-    return builder.tour(), frame
+    flaw, x, y = _prepare(spans, frame.middle[0], frame.middle[1], frame.size)
+    if flaw != _SOUND:
+        raise _refusal(flaw, x * frame.size + float(frame.middle[0]), y * frame.size + float(frame.middle[1]))
+    return _laid_out(spans), frame
 
 
-_Span = tuple[Floats, int, float, float]  # control points, edge number, edge parameter at both ends
+def _spans(profile: Profile) -> _Spans:
+    """Collect the Bezier pieces of all edges."""
+    pieces = [(loop, edge, *edge.spans()) for loop, part in enumerate(profile.loops) for edge in part.edges]
+    counts = [len(control) for _, _, control, _ in pieces]
+    total, widest = sum(counts), max(control.shape[1] for _, _, control, _ in pieces)
+    spans = _Spans(
+        np.zeros((total, max(widest, 2), 3)),
+        np.repeat([control.shape[1] - 1 for _, _, control, _ in pieces], counts),
+        np.repeat([loop for loop, _, _, _ in pieces], counts),
+        np.repeat(np.arange(len(pieces)), counts),
+        np.empty(total),
+        np.empty(total),
+        np.zeros(total),
+    )
+    at = 0
+    for _, edge, control, breaks in pieces:
+        rows = slice(at, at + len(control))
+        spans.control[rows, : control.shape[1]] = control
+        spans.edge_from[rows], spans.edge_to[rows] = breaks[:-1], breaks[1:]
+        if isinstance(edge, EllipseArc):
+            spans.angle[rows] = (breaks[1:] - breaks[:-1]) * edge.sweep
+        at += len(control)
+    return spans
 
 
-class _Builder:
-    """Collects elements loop by loop."""
-
-    def __init__(self, frame: Frame) -> None:
-        self.frame = frame
-        self.control: list[Floats] = []
-        self.rows: list[tuple[int, int, int, float, float]] = []  # degree, loop, edge, edge_from, edge_to
-        self.cone: list[tuple[float, float]] = []
-        self.convex: list[bool] = []
-        self.after: list[int] = []
-        self.round: list[tuple[float, float, float]] = []
-
-    def add_loop(self, index: int, edges: tuple[Edge, ...], number: int) -> None:
-        """Append the elements of one loop."""
-        spans = [span for k, edge in enumerate(edges) for span in self._spans(edge, number + k)]
-        _close(spans, self.frame)
-        _straighten(spans)
-        first = len(self.rows)
-        for k, (control, edge, start, end) in enumerate(spans):
-            self._add_border(spans[k - 1][0], control, index, edge)
-            self._append(control, (len(control) - 1, index, edge, start, end))
-        count = len(self.rows) - first
-        self.after += [first + (k + 1) % count for k in range(count)]
-
-    def _spans(self, edge: Edge, number: int) -> list["_Span"]:
-        """Scale an edge's Bezier pieces into the tour's frame."""
-        controls, breaks = edge.spans()
-        controls = controls.copy()
-        controls[..., :2] = (controls[..., :2] - self.frame.middle * controls[..., 2:]) / self.frame.size
-        return [(control, number, float(breaks[k]), float(breaks[k + 1])) for k, control in enumerate(controls)]
-
-    def _add_border(self, left: Floats, right: Floats, loop: int, edge: int) -> None:
-        """Classify the vertex between two spans; a reflex one becomes a cone."""
-        (ux, uy), (vx, vy) = _leg(left[::-1]), _leg(right)
-        ux, uy = -ux, -uy
-        turn = _turn((ux, uy), (vx, vy))
-        if turn > math.pi - _CUSP:
-            place = right[0, :2] / right[0, 2] * self.frame.size + self.frame.middle
-            text = f"two edges leave the vertex ({place[0]:.6g}, {place[1]:.6g}) in the same direction"
-            raise InvalidProfileError("cusp", text, (float(place[0]), float(place[1])))
-        self.convex.append(turn > _SMOOTH)
-        if turn < -_SMOOTH:
-            vertex = np.zeros_like(right)
-            vertex[0] = right[0] / right[0, 2]
-            self.cone.append((math.atan2(uy, ux) + math.pi / 2, turn))
-            self.control.append(vertex)
-            self.rows.append((0, loop, edge, 0.0, 0.0))
-            self.round.append((math.nan, math.nan, math.nan))
-            self.convex.append(False)
-
-    def _append(self, control: Floats, row: tuple[int, int, int, float, float]) -> None:
-        self.control.append(control)
-        self.rows.append(row)
-        self.cone.append((math.nan, math.nan))
-        self.round.append(_circle(control))
-
-    def tour(self) -> Tour:
-        """Stack what was collected."""
-        degree, loop, edge = (np.array([row[k] for row in self.rows], dtype=np.int64) for k in range(3))
-        control = np.zeros((len(self.rows), max(int(degree.max()), 1) + 1, 3))
-        for k, points in enumerate(self.control):
-            control[k, : len(points)] = points
-        after = np.array(self.after, dtype=np.int64)
-        before = np.empty_like(after)
-        before[after] = np.arange(len(after))
-        rounds = np.array(self.round)
-        sample, sample_element, sample_t = _samples(control, degree)
-        return Tour(
-            control,
-            degree,
-            np.array(self.cone),
-            after,
-            before,
-            np.array(self.convex),
-            loop,
-            edge,
-            np.array([row[3] for row in self.rows]),
-            np.array([row[4] for row in self.rows]),
-            np.array([_box(points, d) for points, d in zip(control, degree, strict=True)]),
-            sample,
-            sample_element,
-            sample_t,
-            rounds[:, :2].copy(),
-            rounds[:, 2].copy(),
-        )
+def _refusal(flaw: int, x: float, y: float) -> InvalidProfileError:
+    kind, text = {
+        _OPEN: ("open", f"the loop is open at ({x:.6g}, {y:.6g})"),
+        _NO_LENGTH: ("zero-length", f"an edge at ({x:.6g}, {y:.6g}) has no length"),
+        _IS_CUSP: ("cusp", f"two edges leave the vertex ({x:.6g}, {y:.6g}) in the same direction"),
+    }[flaw]
+    return InvalidProfileError(kind, text, (x, y))
 
 
-def _close(spans: list["_Span"], frame: Frame, tol: float = 1e-9) -> None:
-    """Make consecutive spans share their end point to the last bit.
+@compiled
+def _box_of(control: Floats, degree: Ints) -> tuple[float, float, float, float]:
+    """Return a box that surely holds some spans: that of their control points of its eighths."""
+    x0, x1, y0, y1 = math.inf, -math.inf, math.inf, -math.inf
+    rows = control.shape[1]
+    parts = np.empty((_BOX_PARTS, rows, 3))
+    for e in range(len(control)):
+        n = degree[e] + 1
+        for j in range(3):
+            for i in range(n):
+                parts[0, i, j] = control[e, i, j]
+        count = 1
+        while count < _BOX_PARTS and n > 2:
+            for k in range(count - 1, -1, -1):
+                for j in range(3):
+                    halve(parts[k, :n, j], parts[2 * k, :n, j], parts[2 * k + 1, :n, j])
+            count *= 2
+        for k in range(count):
+            a, b, c, d = _control_box(parts[k], degree[e])
+            x0, y0, x1, y1 = min(x0, a), min(y0, b), max(x1, c), max(y1, d)
+    return x0, y0, x1, y1
 
-    Readers join edges far closer than `tol`; a wider gap means that the profile was not closed.
+
+@compiled
+def _prepare(spans: _Spans, middle_x: float, middle_y: float, size: float) -> tuple[int, float, float]:
+    """Scale the spans, close the loops to the last bit and take out kinks that are rounding.
+
+    Returns
+    -------
+    flaw : int
+        `_SOUND`, or what is wrong.
+    x, y : float
+        Where, scaled.
     """
-    for k, (right, *_) in enumerate(spans):
-        left = spans[k - 1][0]
-        p, q = left[-1, :2] / left[-1, 2], right[0, :2] / right[0, 2]
-        if not np.hypot(*(p - q)) <= tol:
-            place = q * frame.size + frame.middle
-            text = f"the loop is open at ({place[0]:.6g}, {place[1]:.6g})"
-            raise InvalidProfileError("open", text, (float(place[0]), float(place[1])))
-        middle = (p + q) / 2
-        left[-1, :2], right[0, :2] = middle * left[-1, 2], middle * right[0, 2]
-        if np.ptp(right[:, :2] / right[:, 2:], axis=0).max() <= tol:
-            place = q * frame.size + frame.middle
-            text = f"an edge at ({place[0]:.6g}, {place[1]:.6g}) has no length"
-            raise InvalidProfileError("zero-length", text, (float(place[0]), float(place[1])))
+    control = spans.control
+    for e in range(len(control)):
+        for i in range(spans.degree[e] + 1):
+            control[e, i, 0] = (control[e, i, 0] - middle_x * control[e, i, 2]) / size
+            control[e, i, 1] = (control[e, i, 1] - middle_y * control[e, i, 2]) / size
+    before = _before(spans.loop)
+    for e in range(len(control)):
+        flaw, x, y = _joined(spans, before[e], e)
+        if flaw != _SOUND:
+            return flaw, x, y
+    for e in range(len(control)):
+        if before[e] != e:
+            _straighten(spans, before[e], e)
+    for e in range(len(control)):
+        if _turn_between(spans, before[e], e)[0] > math.pi - _CUSP:
+            return _IS_CUSP, control[e, 0, 0] / control[e, 0, 2], control[e, 0, 1] / control[e, 0, 2]
+    return _SOUND, 0.0, 0.0
 
 
-def _straighten(spans: list["_Span"]) -> None:
-    """Take out kinks that are the rounding of the file's digits, by turning the control legs next to them."""
-    for k, (right, *_) in enumerate(spans):
-        left = spans[k - 1][0]
-        legs = [_leg(left[::-1]), _leg(right)]
-        turn = _turn((-legs[0][0], -legs[0][1]), legs[1])
-        free = [len(span) > 3 and len(spans) > 1 for span in (left, right)]  # lines and quadratics share their legs
-        share = abs(turn) / max(1, sum(free))
-        if turn == 0.0 or not any(free) or share * max(np.hypot(*leg) for leg in legs) > _DIGITS:
-            continue
-        for span, movable, sign in ((left[::-1], free[0], 1.0), (right, free[1], -1.0)):
-            if movable:
-                _turn_leg(span, sign * math.copysign(share, turn))
+@compiled
+def _before(loop: Ints) -> Ints:
+    """For elements in the order of their loops: the one before each."""
+    n = len(loop)
+    before = np.empty(n, np.int64)
+    first = 0
+    for e in range(n):
+        if loop[e] != loop[first]:
+            first = e
+        before[e] = e - 1
+        if e == n - 1 or loop[e + 1] != loop[e]:
+            before[first] = e
+    return before
 
 
-def _turn(u: tuple[float, float], v: tuple[float, float]) -> float:
-    """Angle from one direction to another, radians."""
-    return math.atan2(u[0] * v[1] - u[1] * v[0], u[0] * v[0] + u[1] * v[1])
+@compiled
+def _joined(spans: _Spans, left: int, right: int) -> tuple[int, float, float]:
+    """Make two consecutive spans share their common point to the last bit; tell if they cannot."""
+    a, b = spans.control[left, spans.degree[left]], spans.control[right, 0]
+    ax, ay, bx, by = a[0] / a[2], a[1] / a[2], b[0] / b[2], b[1] / b[2]
+    if not math.hypot(ax - bx, ay - by) <= _JOINED:
+        return _OPEN, bx, by
+    x, y = (ax + bx) / 2, (ay + by) / 2
+    a[0], a[1], b[0], b[1] = x * a[2], y * a[2], x * b[2], y * b[2]
+    x0, y0, x1, y1 = _control_box(spans.control[right], spans.degree[right])
+    return (_NO_LENGTH if max(x1 - x0, y1 - y0) <= _JOINED else _SOUND), x, y
 
 
-def _turn_leg(control: Floats, angle: float) -> None:
-    """Turn a span's first control leg about its first point."""
-    x, y = control[1, :2] / control[1, 2] - control[0, :2] / control[0, 2]
+@compiled
+def _control_box(control: Floats, degree: int) -> tuple[float, float, float, float]:
+    x0 = x1 = control[0, 0] / control[0, 2]
+    y0 = y1 = control[0, 1] / control[0, 2]
+    for i in range(1, degree + 1):
+        x, y = control[i, 0] / control[i, 2], control[i, 1] / control[i, 2]
+        x0, x1, y0, y1 = min(x0, x), max(x1, x), min(y0, y), max(y1, y)
+    return x0, y0, x1, y1
+
+
+@compiled
+def _leg(control: Floats, degree: int, at_end: bool) -> tuple[float, float]:
+    """Direction in which a span leaves one of its ends: the first control leg from there that has a length."""
+    end, step = (degree, -1) if at_end else (0, 1)
+    ex, ey = control[end, 0] / control[end, 2], control[end, 1] / control[end, 2]
+    longest = 0.0
+    for i in range(1, degree + 1):
+        row = end + step * i
+        x, y = control[row, 0] / control[row, 2] - ex, control[row, 1] / control[row, 2] - ey
+        longest = max(longest, math.hypot(x, y))
+    for i in range(1, degree + 1):
+        row = end + step * i
+        x, y = control[row, 0] / control[row, 2] - ex, control[row, 1] / control[row, 2] - ey
+        if math.hypot(x, y) > 1e-9 * longest:
+            return x, y
+    return 0.0, 0.0
+
+
+@compiled
+def _turn_between(spans: _Spans, left: int, right: int) -> tuple[float, float, float]:
+    """Return the angle by which the boundary turns between two spans, and the heading before, not of unit length."""
+    ux, uy = _leg(spans.control[left], spans.degree[left], True)
+    vx, vy = _leg(spans.control[right], spans.degree[right], False)
+    return math.atan2(uy * vx - ux * vy, -ux * vx - uy * vy), -ux, -uy
+
+
+@compiled
+def _straighten(spans: _Spans, left: int, right: int) -> None:
+    """Take out a kink that is the rounding of the file's digits, by turning the control legs next to it."""
+    turn, _, _ = _turn_between(spans, left, right)
+    # Lines and quadratics share their legs with the other end.
+    left_free, right_free = spans.degree[left] > 2, spans.degree[right] > 2
+    if turn == 0.0 or not (left_free or right_free):
+        return
+    share = turn / 2 if left_free and right_free else turn
+    ux, uy = _leg(spans.control[left], spans.degree[left], True)
+    vx, vy = _leg(spans.control[right], spans.degree[right], False)
+    if abs(share) * max(math.hypot(ux, uy), math.hypot(vx, vy)) > _DIGITS:
+        return
+    if left_free:
+        _turn_leg(spans.control[left], spans.degree[left], spans.degree[left] - 1, share)
+    if right_free:
+        _turn_leg(spans.control[right], 0, 1, -share)
+
+
+@compiled
+def _turn_leg(control: Floats, end: int, row: int, angle: float) -> None:
+    """Turn a control leg about a span's end point."""
+    ex, ey = control[end, 0] / control[end, 2], control[end, 1] / control[end, 2]
+    x, y = control[row, 0] / control[row, 2] - ex, control[row, 1] / control[row, 2] - ey
     cos, sin = math.cos(angle), math.sin(angle)
-    control[1, :2] = (control[0, :2] / control[0, 2] + (cos * x - sin * y, sin * x + cos * y)) * control[1, 2]
+    control[row, 0] = (ex + cos * x - sin * y) * control[row, 2]
+    control[row, 1] = (ey + sin * x + cos * y) * control[row, 2]
 
 
-def _circle(control: Floats) -> tuple[float, float, float]:
+@compiled
+def _laid_out(spans: _Spans) -> Tour:
+    """Put a cone at each reflex vertex between the spans, and collect what the search asks for of each element."""
+    count = len(spans.degree)
+    before_span = _before(spans.loop)
+    turn, heading = np.empty(count), np.empty(count)
+    cones = 0
+    for e in range(count):
+        turn[e], ux, uy = _turn_between(spans, before_span[e], e)
+        heading[e] = math.atan2(uy, ux)
+        cones += turn[e] < -_SMOOTH
+    n = count + cones
+    samples = 0
+    for degree in spans.degree:
+        samples += _sample_count(degree)
+    out = _blank_tour(n, spans.control.shape[1], samples)
+    at = 0
+    for e in range(count):
+        if turn[e] < -_SMOOTH:
+            for j in range(3):
+                out.control[at, 0, j] = spans.control[e, 0, j] / spans.control[e, 0, 2]
+            out.cone[at, 0], out.cone[at, 1] = heading[e] + math.pi / 2, turn[e]
+            out.loop[at], out.edge[at] = spans.loop[e], spans.edge[e]
+            at += 1
+        for i in range(spans.degree[e] + 1):
+            for j in range(3):
+                out.control[at, i, j] = spans.control[e, i, j]
+        out.degree[at] = spans.degree[e]
+        out.convex[at] = turn[e] > _SMOOTH
+        out.loop[at], out.edge[at], out.angle[at] = spans.loop[e], spans.edge[e], spans.angle[e]
+        out.edge_from[at], out.edge_to[at] = spans.edge_from[e], spans.edge_to[e]
+        at += 1
+    before = _before(out.loop)
+    for e in range(n):
+        out.before[e], out.after[before[e]] = before[e], e
+        out.box[e, 0], out.box[e, 1], out.box[e, 2], out.box[e, 3] = _control_box(out.control[e], out.degree[e])
+        if out.degree[e] > 1:
+            x, y, r = _circle(out.control[e], out.degree[e])
+            out.round_centre[e, 0], out.round_centre[e, 1], out.round_radius[e] = x, y, r
+    _fill_samples(out)
+    return out
+
+
+@compiled
+def _blank_tour(n: int, rows: int, samples: int) -> Tour:
+    return Tour(
+        np.zeros((n, rows, 3)),
+        np.zeros(n, np.int64),
+        np.full((n, 2), math.nan),
+        np.empty(n, np.int64),
+        np.empty(n, np.int64),
+        np.zeros(n, np.bool_),
+        np.empty(n, np.int64),
+        np.empty(n, np.int64),
+        np.zeros(n),
+        np.zeros(n),
+        np.empty((n, 4)),
+        np.zeros(n),
+        np.empty((samples, 2)),
+        np.empty(samples),
+        np.zeros(n + 1, np.int64),
+        np.full((n, 2), math.nan),
+        np.full(n, math.nan),
+    )
+
+
+@compiled
+def _sample_count(degree: int) -> int:
+    return 0 if degree == 0 else _SAMPLES_STRAIGHT if degree == 1 else _SAMPLES_CURVED
+
+
+@compiled
+def _fill_samples(tour: Tour) -> None:
+    """Fill in points on the spans, in the middle of equal parameter steps."""
+    at = 0
+    for e in range(len(tour.degree)):
+        count = _sample_count(tour.degree[e])
+        for k in range(count):
+            t = (k + 0.5) / count
+            x, y, _, _, _, _ = evaluate(tour.control[e], tour.degree[e], t)
+            tour.sample[at, 0], tour.sample[at, 1], tour.sample_t[at] = x, y, t
+            at += 1
+        tour.sample_from[e + 1] = at
+
+
+@compiled
+def _circle(control: Floats, degree: int) -> tuple[float, float, float]:
     """Centre and radius of the circle that a span follows within `ROUND`, bending inwards; NaN if there is none."""
-    none = (math.nan, math.nan, math.nan)
-    degree = len(control) - 1
-    if degree < 2:
-        return none
-    p, m, q = (np.array(evaluate(control, degree, t)[:2]) for t in (0.0, 0.5, 1.0))
-    u, v = m - p, q - p
-    cross = float(u[0] * v[1] - u[1] * v[0])
-    if cross <= np.hypot(*u) * np.hypot(*v) * np.hypot(*(q - m)) / (2 * _FLAT):
-        return none
-    centre = p + np.array([v[1] * (u @ u) - u[1] * (v @ v), u[0] * (v @ v) - v[0] * (u @ u)]) / (2 * cross)
-    radius = float(np.hypot(*(p - centre)))
-    power = power_distance(control, degree, centre[0], centre[1], radius)
-    if np.abs(power).max() > 2 * radius * ROUND * control[:, 2].max() ** 2:
-        return none
-    return float(centre[0]), float(centre[1]), radius
-
-
-def _leg(control: Floats) -> tuple[float, float]:
-    """Direction in which a span leaves its first point: the first control leg that has a length."""
-    points = control[:, :2] / control[:, 2:]
-    legs = points[1:] - points[0]
-    lengths = np.hypot(legs[:, 0], legs[:, 1])
-    leg = legs[np.argmax(lengths > 1e-9 * lengths.max())]
-    return float(leg[0]), float(leg[1])
-
-
-def _box(control: Floats, degree: int) -> tuple[float, float, float, float]:
-    points = control[: degree + 1, :2] / control[: degree + 1, 2:]
-    (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
-    return float(x0), float(y0), float(x1), float(y1)
-
-
-def _samples(control: Floats, degree: Ints) -> tuple[Floats, Ints, Floats]:
-    """Points that seed the search, in the middle of equal parameter steps."""
-    element: list[int] = []
-    t: list[float] = []
-    for e, d in enumerate(degree):
-        count = 0 if d == 0 else _SAMPLES_STRAIGHT if d == 1 else _SAMPLES_CURVED
-        element += [e] * count
-        t += [(k + 0.5) / count for k in range(count)]
-    points = np.array([evaluate(control[e], degree[e], s)[:2] for e, s in zip(element, t, strict=True)])
-    return points, np.array(element, dtype=np.int64), np.array(t)
+    px, py, _, _, _, _ = evaluate(control, degree, 0.0)
+    mx, my, _, _, _, _ = evaluate(control, degree, 0.5)
+    qx, qy, _, _, _, _ = evaluate(control, degree, 1.0)
+    ux, uy, vx, vy = mx - px, my - py, qx - px, qy - py
+    u_sq, v_sq = ux * ux + uy * uy, vx * vx + vy * vy
+    cross = ux * vy - uy * vx
+    if cross <= math.sqrt(u_sq * v_sq) * math.hypot(qx - mx, qy - my) / (2 * _FLAT):
+        return math.nan, math.nan, math.nan
+    x, y = px + (vy * u_sq - uy * v_sq) / (2 * cross), py + (ux * v_sq - vx * u_sq) / (2 * cross)
+    r = math.hypot(px - x, py - y)
+    heaviest = 0.0
+    for i in range(degree + 1):
+        heaviest = max(heaviest, control[i, 2])
+    for power in power_distance(control, degree, x, y, r):
+        if abs(power) > 2 * r * ROUND * heaviest * heaviest:
+            return math.nan, math.nan, math.nan
+    return x, y, r

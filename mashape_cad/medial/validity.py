@@ -4,11 +4,14 @@ Pairs of spans whose boxes meet are cut in two until their boxes part, or until 
 a contact. Neighbours are compared without the stretches right at their common end, where they meet by right.
 """
 
+import math
+
 import numpy as np
-from numba import njit
 
 from mashape_cad.errors import InvalidProfileError
 from mashape_cad.geometry.edge import Floats
+from mashape_cad.medial.bezier import evaluate, halves, speed_squared
+from mashape_cad.medial.compiled import compiled
 from mashape_cad.medial.tour import Frame, Ints, Tour, site
 
 __all__ = ["check_simple", "first_contact"]
@@ -22,6 +25,11 @@ _JOIN = 1e-6
 _NO_LEG_SQ = 1e-24
 # Cuts before a pair counts as meeting: overlapping curves would be cut for ever, separate ones take some hundred.
 _CUTS = 100_000
+# A curve stands still where the square of its speed is this small against the largest on its span, which is some hundred
+# roundings; so it does where a stretch of parameters this short cannot be told from such a place.
+_NO_SPEED, _SHORTEST = 1e-14, 1e-7
+# Gauss quadrature on [0, 1]; only the sign of an area is asked for.
+_NODES, _WEIGHTS = (np.polynomial.legendre.leggauss(12)[0] + 1) / 2, np.polynomial.legendre.leggauss(12)[1] / 2
 
 
 def check_simple(tour: Tour, frame: Frame) -> None:
@@ -30,120 +38,209 @@ def check_simple(tour: Tour, frame: Frame) -> None:
     Raises
     ------
     InvalidProfileError
-        With the kind ``crossing`` or ``hole-outside`` and the place, mm.
+        With the kind ``cusp``, ``crossing``, ``hole-outside`` or ``degenerate`` and the place, mm.
     """
+    still, x, y = _standstill(tour)
+    if still:
+        x, y = _in_mm(frame, x, y)
+        raise InvalidProfileError(
+            "cusp", f"a curve stands still at ({x:.6g}, {y:.6g}): it has a cusp of its own", (x, y)
+        )
     place = first_contact(tour)
     if place is not None:
-        px, py = frame.middle + frame.size * np.array(place)
-        text = f"the outline crosses or touches itself at ({px:.6g}, {py:.6g}); mend it in the drawing"
-        raise InvalidProfileError("crossing", text, (float(px), float(py)))
-    polygons = [_polygon(tour, loop) for loop in range(int(tour.loop.max()) + 1)]
-    for hole in polygons[1:]:
-        # Loops do not cross, so one point inside settles it; points near the other loop may seem to lie elsewhere.
-        inside = any(_winding(polygons[0], point) == 1 for point in hole)
-        in_other = any(_in_box(hole, other) and _all_inside(hole, other) for other in polygons[1:] if other is not hole)
-        if not inside or in_other:
-            px, py = hole[0] * frame.size + frame.middle
-            where = "inside another hole" if in_other else "outside the outer loop"
-            raise InvalidProfileError(
-                "hole-outside", f"the hole at ({px:.6g}, {py:.6g}) lies {where}", (float(px), float(py))
-            )
+        x, y = _in_mm(frame, *place)
+        text = f"the outline crosses or touches itself at ({x:.6g}, {y:.6g}); mend it in the drawing"
+        raise InvalidProfileError("crossing", text, (x, y))
+    for loop in range(int(tour.loop.max()) + 1):
+        e = int(np.argmax((tour.loop == loop) & (tour.degree > 0)))
+        x, y = _in_mm(frame, *site(tour, e, 0.0)[:2])
+        if (_signed_area(tour, loop) > 0.0) != (loop == 0):
+            text = f"the loop at ({x:.6g}, {y:.6g}) runs the wrong way round; make the profile by Profile.of"
+            raise InvalidProfileError("degenerate", text, (x, y))
+    misplaced, in_other = _misplaced_hole(tour)
+    if misplaced > 0:
+        e = int(np.argmax(tour.loop == misplaced))
+        x, y = _in_mm(frame, *site(tour, e, 0.0)[:2])
+        where = "inside another hole" if in_other else "outside the outer loop"
+        raise InvalidProfileError("hole-outside", f"the hole at ({x:.6g}, {y:.6g}) lies {where}", (x, y))
 
 
-def _in_box(points: Floats, polygon: Floats) -> bool:
-    low, high = polygon.min(axis=0), polygon.max(axis=0)
-    return bool(np.all((points >= low) & (points <= high)))
+def _in_mm(frame: Frame, x: float, y: float) -> tuple[float, float]:
+    return float(frame.middle[0] + frame.size * x), float(frame.middle[1] + frame.size * y)
 
 
-def _all_inside(points: Floats, polygon: Floats) -> bool:
-    """Whether all points lie inside a polygon of either orientation."""
-    return all(_winding(polygon, point) != 0 for point in points)
+@compiled
+def _signed_area(tour: Tour, loop: int) -> float:
+    """Area that a loop encloses, by Gauss quadrature on each span; positive if it runs counter-clockwise."""
+    area = 0.0
+    for e in range(len(tour.degree)):
+        if tour.loop[e] != loop or tour.degree[e] == 0:
+            continue
+        for k in range(len(_NODES)):
+            x, y, dx, dy, _, _ = evaluate(tour.control[e], tour.degree[e], _NODES[k])
+            area += _WEIGHTS[k] * (x * dy - y * dx) / 2
+    return area
 
 
-def _polygon(tour: Tour, loop: int) -> Floats:
-    """Points along a loop, in order."""
-    places = [
-        (int(e), t)
-        for e in np.flatnonzero((tour.loop == loop) & (tour.degree > 0))
-        for t in _steps(int(tour.degree[e]))
-    ]
-    return np.array([site(tour, e, t)[:2] for e, t in places])
+@compiled
+def _misplaced_hole(tour: Tour) -> tuple[int, bool]:
+    """Return a hole that lies outside the outer loop or inside another hole, and which; loop 0 if there is none.
+
+    Loops neither cross nor touch, so one point of a hole settles it.
+    """
+    loops = tour.loop.max() + 1
+    for hole in range(1, loops):
+        e = 0
+        while tour.loop[e] != hole:
+            e += 1
+        x, y, _, _, _, _ = site(tour, e, 0.0)
+        if not _is_inside(tour, 0, x, y):
+            return hole, False
+        for other in range(1, loops):
+            if other != hole and _is_inside(tour, other, x, y):
+                return hole, True
+    return 0, False
 
 
-def _steps(degree: int) -> Floats:
-    return np.linspace(0.0, 1.0, 1 if degree == 1 else 16, endpoint=False)
+@compiled
+def _is_inside(tour: Tour, loop: int, x: float, y: float) -> bool:
+    """Whether a ray from (x, y) to the right crosses a loop an odd number of times."""
+    inside = False
+    for e in range(len(tour.degree)):
+        above_or_left = tour.box[e, 1] > y or tour.box[e, 3] < y or tour.box[e, 2] < x
+        if tour.loop[e] == loop and tour.degree[e] > 0 and not above_or_left:
+            inside = inside != _crosses(tour.control[e, : tour.degree[e] + 1], x, y)
+    return inside
 
 
-def _winding(polygon: Floats, point: Floats) -> int:
-    """How often a closed polygon winds round a point, counter-clockwise positive."""
-    angle = np.unwrap(np.arctan2(polygon[:, 1] - point[1], polygon[:, 0] - point[0]))
-    turns = (np.unwrap([angle[-1], angle[0]])[1] - angle[0]) / (2 * np.pi)
-    return round(float(turns))
+@compiled
+def _crosses(control: Floats, x: float, y: float) -> bool:
+    """Whether a ray from (x, y) to the right crosses a span an odd number of times; pieces are cut till it is plain."""
+    odd = False
+    pieces = [control.copy()]
+    while len(pieces) > 0:
+        piece = pieces.pop()
+        x0, y0, x1, y1 = _bounds(piece)
+        if x1 < x or y0 > y or y1 < y:
+            continue
+        if x0 > x or max(x1 - x0, y1 - y0) < _TOUCH:
+            n = len(piece) - 1
+            odd = odd != ((piece[0, 1] > y * piece[0, 2]) != (piece[n, 1] > y * piece[n, 2]))
+            continue
+        left, right = _split(piece)
+        pieces.append(left)
+        pieces.append(right)
+    return odd
+
+
+@compiled
+def _standstill(tour: Tour) -> tuple[bool, float, float]:
+    """Find a place where a curve has no speed: whether there is one, and where."""
+    for e in range(len(tour.degree)):
+        if tour.degree[e] < 2:
+            continue
+        stack, ends = [speed_squared(tour.control[e], tour.degree[e])], [(0.0, 1.0)]
+        floor = _NO_SPEED * stack[0].max()
+        while len(stack) > 0:
+            coefficients, (low, high) = stack.pop(), ends.pop()
+            if coefficients.min() > floor:
+                continue
+            if high - low < _SHORTEST or min(coefficients[0], coefficients[-1]) <= floor:
+                at = low if coefficients[0] <= coefficients[-1] else high
+                x, y, _, _, _, _ = evaluate(tour.control[e], tour.degree[e], at)
+                return True, x, y
+            left, right = halves(coefficients)
+            stack.append(left)
+            stack.append(right)
+            ends.append((low, (low + high) / 2))
+            ends.append(((low + high) / 2, high))
+    return False, 0.0, 0.0
 
 
 def first_contact(tour: Tour) -> tuple[float, float] | None:
     """Return a place where two spans meet, or one meets itself, though they should not; None if there is none."""
-    spans = np.flatnonzero(tour.degree > 0)
-    for e in spans[tour.degree[spans] > 1]:
-        place = _self_contact(tour.control[e, : tour.degree[e] + 1])
-        if place is not None:
-            return place
-    for i, j in _near_pairs(tour.box[spans]):
-        a, b = int(spans[i]), int(spans[j])
-        p, q = tour.control[a, : tour.degree[a] + 1], tour.control[b, : tour.degree[b] + 1]
-        found, x, y = pair_contact(p, q, _follows(tour, a, b), _follows(tour, b, a))
-        if found:
-            return x, y
-    return None
+    found, x, y = _first_contact(tour, np.argsort(tour.box[:, 0]))
+    return (x, y) if found else None
 
 
-def _near_pairs(box: Floats) -> Ints:
-    """Pairs of boxes that meet: (k, 2), each pair once."""
-    low, high = box[:, :2] - _TOUCH, box[:, 2:] + _TOUCH
-    meet = np.ones((len(box), len(box)), dtype=bool)
-    for axis in (0, 1):
-        meet &= low[:, None, axis] <= high[None, :, axis]
-        meet &= low[None, :, axis] <= high[:, None, axis]
-    return np.argwhere(np.triu(meet, 1))
+@compiled
+def _first_contact(tour: Tour, order: Ints) -> tuple[bool, float, float]:
+    n = len(tour.degree)
+    for e in range(n):
+        if tour.degree[e] > 1:
+            found, x, y = _self_contact(tour.control[e, : tour.degree[e] + 1])
+            if found:
+                return True, x, y
+    # From left to right, in `order`: a box is compared with those that start before it ends.
+    for i in range(n):
+        a = order[i]
+        for j in range(i + 1, n):
+            b = order[j]
+            if tour.box[b, 0] > tour.box[a, 2] + _TOUCH:
+                break
+            above = tour.box[b, 1] > tour.box[a, 3] + _TOUCH or tour.box[a, 1] > tour.box[b, 3] + _TOUCH
+            if above or tour.degree[a] == 0 or tour.degree[b] == 0:
+                continue
+            found, x, y = pair_contact(
+                tour.control[a, : tour.degree[a] + 1],
+                tour.control[b, : tour.degree[b] + 1],
+                _follows(tour, a, b),
+                _follows(tour, b, a),
+            )
+            if found:
+                return True, x, y
+    return False, 0.0, 0.0
 
 
+@compiled
 def _follows(tour: Tour, a: int, b: int) -> bool:
     """Whether span b starts where span a ends."""
-    c = int(tour.after[a])
-    return b == (int(tour.after[c]) if tour.degree[c] == 0 else c)
+    c = tour.after[a]
+    return b == (tour.after[c] if tour.degree[c] == 0 else c)
 
 
-def _self_contact(control: Floats) -> tuple[float, float] | None:
-    """Return a place where one span crosses itself: a piece that turns less than 180 degrees cannot, others are cut."""
-    pieces = [control]
+@compiled
+def _self_contact(control: Floats) -> tuple[bool, float, float]:
+    """Find a place where one span crosses itself: a piece that turns less than 180 degrees cannot, others are cut."""
+    pieces = [control.copy()]
     for _ in range(_CUTS):
-        if not pieces:
-            return None
+        if len(pieces) == 0:
+            return False, 0.0, 0.0
         piece = pieces.pop()
-        if _turning(piece) < np.pi:
+        if _turning(piece) < math.pi:
             continue
         left, right = _split(piece)
         found, x, y = pair_contact(left, right, True, False)
         if found:
-            return x, y
-        pieces += [left, right]
-    return float(control[0, 0] / control[0, 2]), float(control[0, 1] / control[0, 2])
+            return True, x, y
+        pieces.append(left)
+        pieces.append(right)
+    return True, control[0, 0] / control[0, 2], control[0, 1] / control[0, 2]
 
 
-@njit(cache=True)
+@compiled
 def _split(control: Floats) -> tuple[Floats, Floats]:
     """Cut a span in the middle."""
-    degree = len(control) - 1
-    left, right = control.copy(), control.copy()
-    for k in range(degree + 1):
-        left[k] = right[0]
-        for i in range(degree - k):
-            for c in range(3):
+    n = len(control)
+    left, right = np.empty((n, 3)), np.empty((n, 3))
+    for c in range(3):
+        for i in range(n):
+            right[i, c] = control[i, c]
+        for k in range(n):
+            left[k, c] = right[0, c]
+            for i in range(n - 1 - k):
                 right[i, c] = (right[i, c] + right[i + 1, c]) / 2
     return left, right
 
 
-@njit(cache=True)
+@compiled
+def _copy(source: Floats, target: Floats) -> None:
+    for i in range(len(source)):
+        for c in range(3):
+            target[i, c] = source[i, c]
+
+
+@compiled
 def _turning(control: Floats) -> float:
     """Bound on how far the tangent of a span turns: the sum of the angles between control legs."""
     total = 0.0
@@ -155,12 +252,12 @@ def _turning(control: Floats) -> float:
         if dx * dx + dy * dy < _NO_LEG_SQ:
             continue
         if seen:
-            total += abs(np.arctan2(px * dy - py * dx, px * dx + py * dy))
+            total += abs(math.atan2(px * dy - py * dx, px * dx + py * dy))
         px, py, seen = dx, dy, True
     return total
 
 
-@njit(cache=True)
+@compiled
 def pair_contact(first: Floats, second: Floats, head: bool, tail: bool) -> tuple[bool, float, float]:
     """Whether two spans meet, other than where the first's end is the second's start (`head`), or the reverse.
 
@@ -171,10 +268,10 @@ def pair_contact(first: Floats, second: Floats, head: bool, tail: bool) -> tuple
         The place. A pair that is not decided within the budget counts as meeting.
     """
     size = 512
-    a = np.empty((size, len(first), 3))
-    b = np.empty((size, len(second), 3))
+    a, b = np.empty((size, len(first), 3)), np.empty((size, len(second), 3))
     flags = np.empty((size, 2), np.bool_)  # whether the pieces still share the common end of head, of tail
-    a[0], b[0] = first, second
+    _copy(first, a[0])
+    _copy(second, b[0])
     flags[0, 0], flags[0, 1] = head, tail
     top = 1
     for _ in range(_CUTS):
@@ -198,21 +295,23 @@ def pair_contact(first: Floats, second: Floats, head: bool, tail: bool) -> tuple
             return True, (px0 + px1) / 2, (py0 + py1) / 2
         if p_size >= q_size:
             left, right = _split(p)
-            a[top], b[top] = left, q
+            _copy(left, a[top])
             flags[top, 0], flags[top, 1] = False, at_tail
-            a[top + 1], b[top + 1] = right, q
+            _copy(right, a[top + 1])
+            _copy(q, b[top + 1])
             flags[top + 1, 0], flags[top + 1, 1] = at_head, False
         else:
             left, right = _split(q)
-            a[top], b[top] = p, left
+            _copy(left, b[top])
             flags[top, 0], flags[top, 1] = at_head, False
-            a[top + 1], b[top + 1] = p, right
+            _copy(p, a[top + 1])
+            _copy(right, b[top + 1])
             flags[top + 1, 0], flags[top + 1, 1] = False, at_tail
         top += 2
     return True, (a[0, 0, 0]) / a[0, 0, 2], a[0, 0, 1] / a[0, 0, 2]
 
 
-@njit(cache=True)
+@compiled
 def _parts_at_once(p: Floats, q: Floats, p_size: float, q_size: float) -> bool:
     """Whether piece q, which starts where p ends, surely runs away from p.
 
@@ -237,7 +336,7 @@ def _parts_at_once(p: Floats, q: Floats, p_size: float, q_size: float) -> bool:
     return True
 
 
-@njit(cache=True)
+@compiled
 def _bounds(control: Floats) -> tuple[float, float, float, float]:
     x0 = x1 = control[0, 0] / control[0, 2]
     y0 = y1 = control[0, 1] / control[0, 2]

@@ -116,7 +116,7 @@ def _largest_contact(axis: MedialAxis, loop: int) -> float:
     if not len(mine):
         return 0.0
     largest = mine[np.argmax(np.round(axis.discs.radius[contacts.disc[mine]] / axis.frame.size, 9))]
-    return foot(axis.profile, tour, (int(places[largest]), float(contacts.first[largest, 1])))[1]
+    return foot(tour, (int(places[largest]), float(contacts.first[largest, 1])))[1]
 
 
 def _equal_steps(edge: Edge, count: int, start: float = 0.0) -> Floats:

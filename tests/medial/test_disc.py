@@ -48,7 +48,7 @@ def test_the_maximal_disc_is_the_one_of_brute_force(name):
     oracle = Oracle(profile)
     for e, t in _places(laid_out, 5, 15):
         if laid_out.degree[e] > 0:
-            number, u = foot(profile, laid_out, (e, t))
+            number, u = foot(laid_out, (e, t))
             assert maximal_disc(laid_out, e, t)[2] * frame.size == pytest.approx(oracle.radius(number, u), rel=1e-7)
 
 

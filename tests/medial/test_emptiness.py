@@ -12,6 +12,7 @@ from mashape_cad.medial.emptiness import (
     nearest_on_stretch,
     normal_form,
     same_place,
+    spans_near,
     touching,
 )
 from mashape_cad.medial.tour import site, tour
@@ -38,7 +39,7 @@ def test_minima_of_the_distance(name):
     t = np.linspace(0, 1, 2001)
     points = {e: np.array([site(laid_out, int(e), s)[:2] for s in t]) for e in spans[:24]}
     for centre in rng.uniform(-0.3, 0.3, (3, 2)):
-        count, element, place, depth = distance_minima(laid_out, *centre, 0.3, 1e-9, -1)
+        count, element, place, depth = distance_minima(laid_out, *centre, 0.3, 1e-9, -1, np.inf)
         found = {(int(e), round(float(s), 2)): d for e, s, d in zip(element[:count], place, depth, strict=False)}
         for e, curve in points.items():
             d = np.hypot(*(curve - centre).T) - 0.3
@@ -50,6 +51,46 @@ def test_minima_of_the_distance(name):
                 near = [j for j in mine if abs(place[j] - t[k]) <= 2e-3]
                 assert near, (name, e, t[k], found)
                 assert depth[near[0]] <= d[k] + 1e-12
+
+
+@pytest.mark.parametrize("name", _SOME)
+def test_one_witness_ends_the_search(name):
+    """The last place found is deeper than asked for, those before are not; without such a place nothing is left out."""
+    laid_out, _ = tour(profile_of(name))
+    rng = np.random.default_rng(7)
+    for centre in rng.uniform(-0.4, 0.4, (20, 2)):
+        count, element, t, depth = distance_minima(laid_out, *centre, 0.3, 1e-9, -1, np.inf)
+        for floor in (1e-13, 0.02, 0.1):
+            few, *rows = distance_minima(laid_out, *centre, 0.3, 1e-9, -1, floor)
+            for row, whole in zip(rows, (element, t, depth), strict=True):
+                assert np.array_equal(row[:few], whole[:few])
+            witnesses = np.flatnonzero(depth[:count] < -floor)
+            # All places of the element on which the witness lies are given.
+            expected = element[:count].searchsorted(element[witnesses[0]], "right") if len(witnesses) else count
+            assert few == expected
+
+
+@pytest.mark.parametrize("name", _SOME)
+def test_spans_near_a_disc(name):
+    """Those that come as near as asked for in dense samples are told, others not; pairs stand disc by disc."""
+    laid_out, _ = tour(profile_of(name))
+    rng = np.random.default_rng(9)
+    centre, r, slack = rng.uniform(-0.5, 0.5, (30, 2)), rng.uniform(0.01, 0.3, 30), rng.choice([1e-9, 0.05], 30)
+    disc, element = spans_near(laid_out, centre[:, 0].copy(), centre[:, 1].copy(), r, slack)
+    assert np.all(np.diff(disc) >= 0)
+    pairs = set(zip(disc.tolist(), element.tolist(), strict=True))
+    assert len(pairs) == len(disc)
+    t = np.linspace(0, 1, 1001)
+    for e in range(len(laid_out.degree)):
+        if laid_out.degree[e] == 0:
+            assert e not in element
+            continue
+        points = np.array([site(laid_out, e, s)[:2] for s in t])
+        gap = np.hypot(*np.diff(points, axis=0).T).max()
+        least = np.hypot(*(centre[:, None] - points).T).min(axis=0) - r - slack
+        for d in range(30):
+            assert (d, e) in pairs or least[d] > 0
+            assert (d, e) not in pairs or least[d] <= gap
 
 
 def test_an_empty_disc_touches_nothing():

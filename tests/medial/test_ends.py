@@ -9,7 +9,8 @@ from mashape_cad.geometry.profile import Loop, Profile
 from mashape_cad.kernel import DistanceQuery, KernelCurve
 from mashape_cad.medial.assembly import foot
 from mashape_cad.medial.bezier import product
-from mashape_cad.medial.ends import ends, falling_roots
+from mashape_cad.medial.ends import ends, falling_roots, settle_ends
+from mashape_cad.medial.faces import blank_faces, settled_discs
 from mashape_cad.medial.tour import site, tour
 
 
@@ -76,9 +77,19 @@ def test_a_full_disc_is_told_at_once():
     whole = profile_of("disc")
     halves = Profile.of(Loop(whole.outer.edges[0].split(0.3)))
     for profile in (whole, halves):
-        _, frame, (disc,) = _settled(profile)
-        assert disc.is_full
+        laid_out, frame, (disc,) = _settled(profile)
+        faces = blank_faces(laid_out)
+        assert settle_ends(laid_out, faces)
+        assert settled_discs(faces) == [disc]
+        assert disc.contacts == (((0, 0.0), (0, 0.0)),)  # from its loop's start to its start
         assert disc.r * frame.size == pytest.approx(1.7)
+
+
+@pytest.mark.parametrize("name", [name for name in (*KNOWN, *NAMED) if name != "disc"])
+def test_no_other_domain_is_taken_for_a_disc(name):
+    """Not even those that have an arc of more than half a circle, or a circle with a hole in it."""
+    laid_out, _ = tour(profile_of(name))
+    assert not settle_ends(laid_out, blank_faces(laid_out))
 
 
 def test_the_outer_circle_of_a_ring_is_no_end():
@@ -116,8 +127,6 @@ def test_every_disc_is_empty_and_touches(name):
     """The kernel finds the boundary one radius from the centre, and each contact lies on the circle."""
     profile = profile_of(name)
     laid_out, frame, found = _settled(profile)
-    if found and found[0].is_full:
-        return
     query = DistanceQuery(profile)
     for disc in found:
         centre = np.array([disc.x, disc.y]) * frame.size + frame.middle
@@ -220,7 +229,7 @@ def test_curvature_at_a_found_end_is_a_maximum():
     laid_out, frame, found = _settled(profile)
     curve = KernelCurve(profile.edges[0])
     for disc in found:
-        _, u = foot(profile, laid_out, disc.contacts[0][0])
+        _, u = foot(laid_out, disc.contacts[0][0])
         before, here, after = curve.curvature([u - 1e-4, u, u + 1e-4])
         assert max(before, after) < here == pytest.approx(1 / (disc.r * frame.size))
 

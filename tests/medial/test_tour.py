@@ -41,7 +41,7 @@ def test_places_are_those_of_edge_and_kernel(name):
     for e in np.flatnonzero(laid_out.degree > 0).tolist():
         for t in (0.0, 0.3, 0.77, 1.0):
             x, y, nx, ny, curvature, _ = site(laid_out, e, t)
-            number, u = foot(profile, laid_out, (e, t))
+            number, u = foot(laid_out, (e, t))
             point = np.array([x, y]) * frame.size + frame.middle
             curve = KernelCurve(profile.edges[number])
             position, tangent = curve.derivatives([u])[0, :2]
@@ -139,7 +139,7 @@ def test_feet_on_arcs_are_given_by_the_angle():
     laid_out, frame = tour(profile)
     for e in np.flatnonzero(laid_out.degree == 2).tolist():
         for t in (0.0, 0.1, 0.5, 0.9):
-            number, u = foot(profile, laid_out, (e, t))
+            number, u = foot(laid_out, (e, t))
             point = np.array(site(laid_out, e, t)[:2]) * frame.size + frame.middle
             assert profile.edges[number].point([u])[0] == pytest.approx(point, abs=1e-14)
 

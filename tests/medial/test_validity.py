@@ -148,6 +148,101 @@ def test_a_loop_that_runs_the_wrong_way(profile):
     assert isinstance(_refused(profile), InvalidProfileError)
 
 
+_PLATE = polygon([(0, 0), (8, 0), (8, 5), (3, 5), (3, 4), (0, 4)])
+
+
+@pytest.mark.parametrize(
+    ("profile", "place"),
+    [
+        (Profile(_PLATE.reversed()), (0, 0)),
+        (Profile(circle(5, 3, 2).reversed()), (7, 3)),
+        (Profile(_PLATE, (circle(5, 2, 1),)), (6, 2)),
+        (Profile(_PLATE, (circle(2, 2, 0.5).reversed(), circle(5, 2, 1), circle(7, 4, 0.5).reversed())), (6, 2)),
+    ],
+)
+def test_the_loop_that_runs_the_wrong_way_is_told(profile, place):
+    """With its first point, also among others that run the right way, and also when the part is mirrored."""
+    for similarity in (Similarity.of(), Similarity.of(1e-2, 0.8, (300, -20), mirror=True)):
+        error = _refused(profile.transformed(similarity))
+        assert error.kind == "degenerate"
+        assert "the wrong way round" in str(error)
+        start = profile.transformed(similarity).outer.edges[0].start
+        if error.place == pytest.approx(start, rel=1e-9):
+            assert np.allclose(place, profile.outer.edges[0].start)
+        else:
+            assert error.place == pytest.approx(similarity.apply(place), rel=1e-9, abs=1e-9)
+
+
+def _hole_and_place(profile: Profile) -> tuple[str, tuple[float, float]]:
+    error = _refused(profile)
+    assert error.kind == "hole-outside"
+    return str(error), error.place
+
+
+@pytest.mark.parametrize("bad", range(3))
+def test_the_hole_that_lies_outside_is_told(bad):
+    """Its own point among several holes; a hole in a bay of the outline lies outside though inside its box."""
+    holes = [circle(1, 1, 0.5), circle(5, 2, 1), box(6.5, 3, 1, 1)]
+    holes[bad] = circle(1, 4.6, 0.3)
+    text, place = _hole_and_place(Profile.of(_PLATE, holes))
+    assert "outside the outer loop" in text
+    assert np.hypot(*np.subtract(place, (1, 4.6))) == pytest.approx(0.3)
+
+
+@pytest.mark.parametrize("order", [1, -1])
+@pytest.mark.parametrize("inner", [circle(5, 2, 0.5), circle(5.4, 2, 0.5), box(4.8, 1.8, 0.4, 0.4)])
+def test_the_hole_inside_a_hole_is_told(inner, order):
+    """The inner one, in whichever order they are given."""
+    holes = [circle(1, 1, 0.5), circle(5, 2, 1), inner]
+    text, place = _hole_and_place(Profile.of(_PLATE, holes[::order]))
+    assert "inside another hole" in text
+    assert np.hypot(*np.subtract(place, (5, 2))) < 0.95
+
+
+def test_holes_beside_one_another_are_not_inside():
+    """Nor in a bay of another hole."""
+    crescent = Loop((Arc.of((5, 3), 2.0, 0.5, 4.0), Line.of(*_ends_of_crescent())))
+    profile = Profile.of(_BOX, [crescent, circle(6.6, 2.2, 0.5), circle(1, 1, 0.5)])
+    laid_out, frame = tour(profile)
+    check_simple(laid_out, frame)
+
+
+def _ends_of_crescent() -> tuple[tuple[float, float], tuple[float, float]]:
+    """From the end of the arc back to its start."""
+    a, b = 4.5, 0.5
+    return (5 + 2 * np.cos(a), 3 + 2 * np.sin(a)), (5 + 2 * np.cos(b), 3 + 2 * np.sin(b))
+
+
+# Halfway between two of the sixteen points that stand for a quarter circle.
+_BETWEEN = np.pi / 64
+
+
+def test_a_small_hole_near_a_round_wall_is_inside():
+    """It lies between the wall and the chord of the wall's points, but not on it."""
+    at = 4.9985
+    profile = Profile.of(circle(0, 0, 5), [circle(at * np.cos(_BETWEEN), at * np.sin(_BETWEEN), 5e-4)])
+    laid_out, frame = tour(profile)
+    check_simple(laid_out, frame)
+
+
+def test_a_small_hole_in_a_round_bay_is_outside():
+    """It lies beyond the wall, though on this side of the chord of the wall's points."""
+    sides = polygon([(-3, 0), (-5, 0), (-5, -5), (5, -5), (5, 0), (3, 0)]).edges[:-1]
+    bay = Loop((*sides, Arc.of((0, 0), 3, 0, -np.pi)))
+    profile = Profile.of(bay, [circle(2.9985 * np.cos(_BETWEEN), -2.9985 * np.sin(_BETWEEN), 4e-4)])
+    laid_out, frame = tour(profile)
+    with pytest.raises(InvalidProfileError):
+        check_simple(laid_out, frame)
+
+
+def test_a_hole_that_nearly_fills_a_hole_is_inside():
+    """Also where its points lie beyond the chords of the other's."""
+    profile = Profile.of(_BOX, [circle(5, 3, 2), circle(5, 3, 1.9995, _BETWEEN)])
+    laid_out, frame = tour(profile)
+    with pytest.raises(InvalidProfileError):
+        check_simple(laid_out, frame)
+
+
 def test_a_profile_of_no_size():
     """Lines there and back."""
     assert _refused(Profile(polygon([(0, 0), (4, 0)]))).kind in {"cusp", "degenerate", "crossing"}

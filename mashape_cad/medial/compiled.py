@@ -1,0 +1,24 @@
+"""Compilation of the scalar code that the medial axis consists of.
+
+The search works on a few numbers at a time, where calls of numpy cost many times what they compute. So it is written as
+scalar code and compiled by numba, once for each machine and release: the first axis takes about a minute longer, later
+programs load the result from a cache beside the source, or in the user's cache folder where that is read-only.
+"""
+
+from collections.abc import Callable
+from typing import TypeVar, cast
+
+from numba import njit
+
+__all__ = ["compiled"]
+
+Function = TypeVar("Function", bound=Callable[..., object])
+
+
+def compiled(function: Function) -> Function:
+    """Compile a function when it is first called.
+
+    Division by zero gives an infinity or NaN, as in numpy, and no exception: exceptions would double the code, and what
+    stands still is refused beforehand (`validity`).
+    """
+    return cast("Function", njit(cache=True, error_model="numpy")(function))

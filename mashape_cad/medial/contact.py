@@ -1,0 +1,52 @@
+"""When two contacts of a disc are one.
+
+A circle leaves its tangent by s^2 / 2 r only, so footpoints are known to about the root of the distance's rounding; and
+near an osculating foot the boundary stays on the circle for longer still.
+"""
+
+import math
+
+from mashape_cad.medial.compiled import compiled
+from mashape_cad.medial.emptiness import TOUCH, same_place
+from mashape_cad.medial.tour import Tour, site
+
+__all__ = ["apart", "one_contact"]
+
+# Contacts further apart than this, times the radius, are two, whatever lies between them.
+_NEAR = 0.02
+# Elements that a stretch between two contacts may run over, and places looked at on each.
+_ELEMENTS, _PLACES = 4, 5
+
+
+@compiled
+def apart(tour: Tour, e: int, t: float, f: int, s: float) -> float:
+    """Distance between two places."""
+    ax, ay, _, _, _, _ = site(tour, e, t)
+    bx, by, _, _, _, _ = site(tour, f, s)
+    return math.hypot(ax - bx, ay - by)
+
+
+@compiled
+def one_contact(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy: float, r: float) -> bool:
+    """Whether two contacts of a disc are one: they coincide, or are near with the boundary on the circle between."""
+    if same_place(tour, e, t, f, s, r):
+        return True
+    if apart(tour, e, t, f, s) > _NEAR * r:
+        return False
+    return _follows_circle(tour, e, t, f, s, cx, cy, r) or _follows_circle(tour, f, s, e, t, cx, cy, r)
+
+
+@compiled
+def _follows_circle(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy: float, r: float) -> bool:
+    """Whether the boundary from one place on to the other stays on a circle."""
+    for _ in range(_ELEMENTS):
+        last = e == f and t <= s
+        end = s if last else 1.0
+        for k in range(_PLACES):
+            x, y, _, _, _, _ = site(tour, e, t + (end - t) * k / (_PLACES - 1))
+            if abs(math.hypot(x - cx, y - cy) - r) > TOUCH:
+                return False
+        if last:
+            return True
+        e, t = tour.after[e], 0.0
+    return False
