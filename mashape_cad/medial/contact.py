@@ -1,21 +1,25 @@
 """When two contacts of a disc are one.
 
 A circle leaves its tangent by s^2 / 2 r only, so footpoints are known to about the root of the distance's rounding; and
-near an osculating foot the boundary stays on the circle for longer still.
+near an osculating foot the boundary stays on the circle for longer still. Two contacts are one if the boundary between
+them does not leave the circle. However near they are, a notch between them makes them two.
 """
 
 import math
 
 from mashape_cad.medial.compiled import compiled
-from mashape_cad.medial.emptiness import TOUCH, same_place
 from mashape_cad.medial.tour import Tour, site
 
-__all__ = ["apart", "one_contact"]
+__all__ = ["TOUCH", "apart", "one_contact"]
 
+# A boundary point this close to the circle touches it (sizes of the shape).
+TOUCH = 1e-11
+# Contacts closer than this (sizes) are one: edges so short are none.
+_SAME = 1e-9
 # Contacts further apart than this, times the radius, are two, whatever lies between them.
 _NEAR = 0.02
 # Elements that a stretch between two contacts may run over, and places looked at on each.
-_ELEMENTS, _PLACES = 4, 5
+_ELEMENTS, _PLACES = 5, 5
 
 
 @compiled
@@ -29,9 +33,10 @@ def apart(tour: Tour, e: int, t: float, f: int, s: float) -> float:
 @compiled
 def one_contact(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy: float, r: float) -> bool:
     """Whether two contacts of a disc are one: they coincide, or are near with the boundary on the circle between."""
-    if same_place(tour, e, t, f, s, r):
+    distance = apart(tour, e, t, f, s)
+    if distance <= _SAME:
         return True
-    if apart(tour, e, t, f, s) > _NEAR * r:
+    if distance > max(_NEAR * r, 3 * _SAME):
         return False
     return _follows_circle(tour, e, t, f, s, cx, cy, r) or _follows_circle(tour, f, s, e, t, cx, cy, r)
 

@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from mashape_cad.errors import AxisError
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.compiled import compiled
-from mashape_cad.medial.contact import one_contact
+from mashape_cad.medial.contact import TOUCH, one_contact
 from mashape_cad.medial.disc import maximal_disc, twin_on_stretch
-from mashape_cad.medial.emptiness import EMPTY, NO_SKIP, TOUCH, nearest_on_stretch, same_place, touching
+from mashape_cad.medial.emptiness import EMPTY, NO_SKIP, nearest_on_stretch, touching
 from mashape_cad.medial.ends import settle_ends
 from mashape_cad.medial.faces import (
     CLUSTER,
@@ -263,6 +263,9 @@ def _completed(tour: Tour, faces: Faces, face: Ints, before: int, feet: _Feet) -
             if corner(faces, part[i]) == number and corner(faces, part[0]) != number != faces.disc[part[0]]:
                 parts[count], parts[count + 1] = face[k], attach(faces, part[i], face[k], feet.e[k], feet.t[k])
                 count += 2
+                x, y, _, _, _, _ = site(tour, feet.e[k], feet.t[k])
+                off = abs(math.hypot(x - faces.x[number], y - faces.y[number]) - faces.r[number])
+                faces.tol[number] = max(faces.tol[number], off)
                 break
     return parts[:count]
 
@@ -296,7 +299,7 @@ def _split_by_junction(tour: Tour, faces: Faces, face: Ints) -> Ints:
         for k in range(3):
             feet.known[triple[k]], feet.e[triple[k]], feet.t[triple[k]] = True, e[k], t[k]
         for k in range(count):
-            if not _is_foot(tour, e, t, element[k], place_t[k], r):
+            if not _is_foot(tour, e, t, element[k], place_t[k], x, y, r):
                 _fit(tour, faces, face, element[k], place_t[k], feet)
         parts = _split(tour, faces, face, feet, x, y, r, JUNCTION, TOUCH)
         if len(parts) > 1:
@@ -305,10 +308,10 @@ def _split_by_junction(tour: Tour, faces: Faces, face: Ints) -> Ints:
 
 
 @compiled
-def _is_foot(tour: Tour, e: Ints, t: Floats, f: int, s: float, r: float) -> bool:
+def _is_foot(tour: Tour, e: Ints, t: Floats, f: int, s: float, x: float, y: float, r: float) -> bool:
     """Whether a place is one of some feet of a disc."""
     for k in range(len(e)):  # noqa: SIM110  -- compiled code knows no generators
-        if same_place(tour, f, s, e[k], t[k], r):
+        if one_contact(tour, f, s, e[k], t[k], x, y, r):
             return True
     return False
 
@@ -329,7 +332,7 @@ def _triple_disc(tour: Tour, faces: Faces, face: Ints, triple: Ints) -> tuple[bo
     for i in range(3):
         t[i] = _inside(t[i], low[i], high[i])
     for i in range(3):
-        if same_place(tour, e[i], t[i], e[i - 1], t[i - 1], r) and not _kink_between(tour, e[i], e[i - 1]):
+        if one_contact(tour, e[i], t[i], e[i - 1], t[i - 1], x, y, r) and not _kink_between(tour, e[i], e[i - 1]):
             return False, x, y, r, e, t
     return True, x, y, r, e, t
 

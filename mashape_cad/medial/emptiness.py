@@ -13,18 +13,17 @@ import numpy as np
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.bezier import evaluate, halve, power_distance
 from mashape_cad.medial.compiled import compiled
-from mashape_cad.medial.tour import Ints, Tour, site
+from mashape_cad.medial.contact import one_contact
+from mashape_cad.medial.tour import Ints, Tour
 
 __all__ = [
     "EMPTY",
     "NO_SKIP",
-    "TOUCH",
     "cone_turn",
     "distance_minima",
     "holds_sample",
     "nearest_on_stretch",
     "normal_form",
-    "same_place",
     "spans_near",
     "touching",
 ]
@@ -32,11 +31,6 @@ __all__ = [
 # A disc is empty when no boundary point lies deeper inside than this (sizes of the shape). Looser is wrong: near an
 # osculating contact the boundary enters by a cube law, and 1e-10 would let discs through that miss a short branch.
 EMPTY = 1e-13
-# A boundary point this close to the circle touches it: one more contact of a junction.
-TOUCH = 1e-11
-# Two contacts closer than this, absolutely or times the radius, cannot be told apart: a disc of curvature radius r
-# leaves the boundary by s^2 / r only, so feet are known to about the root of the distance's rounding.
-_SAME_ABSOLUTE, _SAME_RELATIVE = 3e-9, 3e-6
 _SNAP = 1e-9  # parameters this close to a border are the border
 _SAME_CIRCLE = 1e-8  # arcs whose centres and radii agree this well lie on one circle
 _RESOLUTION = 1e-16  # spacing of numbers near 1
@@ -339,7 +333,7 @@ def touching(
                 continue
         known = False
         for i in range(count):
-            known = known or same_place(tour, element[i], t[i], e, s, r)
+            known = known or one_contact(tour, element[i], t[i], e, s, cx, cy, r)
         if not known:
             element[count], t[count] = e, s
             count += 1
@@ -384,14 +378,6 @@ def nearest_on_stretch(tour: Tour, e: int, low: float, high: float, cx: float, c
     t = _span_minimum(tour, e, max(low, low + (best_k - 1) * width), min(high, low + (best_k + 1) * width), cx, cy)
     x, y, _, _, _, _ = evaluate(tour.control[e], tour.degree[e], t)
     return t, math.hypot(x - cx, y - cy)
-
-
-@compiled
-def same_place(tour: Tour, e: int, t: float, f: int, s: float, r: float) -> bool:
-    """Whether two contacts of a disc of radius r are one and the same."""
-    ax, ay, _, _, _, _ = site(tour, e, t)
-    bx, by, _, _, _, _ = site(tour, f, s)
-    return math.hypot(ax - bx, ay - by) <= max(_SAME_ABSOLUTE, _SAME_RELATIVE * r)
 
 
 @compiled

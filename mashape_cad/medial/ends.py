@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.bezier import curvature_sign, curvature_slope, halves, value
 from mashape_cad.medial.compiled import compiled
-from mashape_cad.medial.contact import apart, one_contact
-from mashape_cad.medial.emptiness import EMPTY, NO_SKIP, TOUCH, holds_sample, touching
+from mashape_cad.medial.contact import TOUCH, apart, one_contact
+from mashape_cad.medial.emptiness import EMPTY, NO_SKIP, holds_sample, touching
 from mashape_cad.medial.faces import (
     ARC,
     CORNER,

@@ -28,7 +28,7 @@ import numpy as np
 
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.compiled import compiled
-from mashape_cad.medial.emptiness import TOUCH
+from mashape_cad.medial.contact import TOUCH
 from mashape_cad.medial.tour import Ints, Tour, site
 
 __all__ = [

@@ -7,9 +7,8 @@ loop, whose own highest point is higher still. One such disc for each hole links
 import math
 
 from mashape_cad.medial.compiled import compiled
-from mashape_cad.medial.contact import one_contact
+from mashape_cad.medial.contact import TOUCH, one_contact
 from mashape_cad.medial.disc import maximal_disc
-from mashape_cad.medial.emptiness import TOUCH
 from mashape_cad.medial.faces import (
     CONTACTS,
     DISCS,

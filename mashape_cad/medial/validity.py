@@ -25,8 +25,8 @@ _JOIN = 1e-6
 _NO_LEG_SQ = 1e-24
 # Cuts before a pair counts as meeting: overlapping curves would be cut for ever, separate ones take some hundred.
 _CUTS = 100_000
-# A curve stands still where the square of its speed is this small against the largest on its span, which is some hundred
-# roundings; so it does where a stretch of parameters this short cannot be told from such a place.
+# A curve stands still where the square of its speed is this small against the largest on its span, which is some
+# hundred roundings; so it does where a stretch of parameters this short cannot be told from such a place.
 _NO_SPEED, _SHORTEST = 1e-14, 1e-7
 # Gauss quadrature on [0, 1]; only the sign of an area is asked for.
 _NODES, _WEIGHTS = (np.polynomial.legendre.leggauss(12)[0] + 1) / 2, np.polynomial.legendre.leggauss(12)[1] / 2

@@ -8,8 +8,8 @@ from catalogue import KNOWN, polygon, profile_of
 
 from mashape_cad.geometry.edge import Arc, Line
 from mashape_cad.geometry.profile import Loop, Profile
-from mashape_cad.medial.contact import apart, one_contact
-from mashape_cad.medial.emptiness import TOUCH, nearest_on_stretch
+from mashape_cad.medial.contact import TOUCH, apart, one_contact
+from mashape_cad.medial.emptiness import nearest_on_stretch
 from mashape_cad.medial.tour import site, tour
 
 _SIZE = 7.0  # of the rectangle

@@ -4,14 +4,13 @@ import numpy as np
 import pytest
 from catalogue import profile_of
 
+from mashape_cad.medial.contact import TOUCH
 from mashape_cad.medial.emptiness import (
     EMPTY,
-    TOUCH,
     cone_turn,
     distance_minima,
     nearest_on_stretch,
     normal_form,
-    same_place,
     spans_near,
     touching,
 )
@@ -148,15 +147,6 @@ def test_directions_in_a_cone():
     for s in (-0.4, 0.0, 0.3, 1.0, 1.5):
         angle = laid_out.cone[cone, 0] + s * laid_out.cone[cone, 1]
         assert cone_turn(laid_out, int(cone), vx + 0.2 * np.cos(angle), vy + 0.2 * np.sin(angle)) == pytest.approx(s)
-
-
-def test_the_same_place():
-    """Near means near against the radius: feet of a large disc are known less well."""
-    laid_out, frame = tour(profile_of("rectangle"))
-    assert same_place(laid_out, 0, 0.5, 0, 0.5 + 1e-9 / 7 * frame.size, 0.0)
-    assert not same_place(laid_out, 0, 0.5, 0, 0.5 + 1e-6, 0.0)
-    assert same_place(laid_out, 0, 0.5, 0, 0.5 + 1e-6, 0.5)
-    assert same_place(laid_out, 0, 1.0, 1, 0.0, 0.0)
 
 
 def test_the_end_of_an_element_is_the_start_of_the_next():
