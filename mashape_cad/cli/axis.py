@@ -50,15 +50,13 @@ def axis(
     profiles = list(enumerate(read_part(file, ReadOptions(unit, gap_rel)).profiles))
     if profile is not None:
         profiles = [numbered(profiles, profile, str(file))]
-    traced = list(traced_profiles(profiles, options))
-    for each in traced:
-        if each.refused is not None:
-            click.echo(f"left out: {file}: profile {each.number}: {each.refused.text}", err=True)
-    drawn = [each.trace for each in traced if each.trace is not None]
-    if not drawn:
+    traced, refused = traced_profiles(profiles, options, splines=output.suffix.lower() == ".dxf")
+    for each in refused:
+        click.echo(f"left out: {file}: profile {each.number}: {each.refused.text}", err=True)
+    if not traced:
         return FAILED
-    write_axes(output, traced, options, file)
+    write_axes(output, traced, refused, options, file)
     if not quiet:
-        branches = sum(len(each.branches) for each in drawn)
-        click.echo(f"{len(drawn)} of {len(traced)} profiles, {branches} branches")
-    return SOME_FAILED if len(drawn) < len(traced) else 0
+        branches = sum(len(each.trace.branches) for each in traced)
+        click.echo(f"{len(traced)} of {len(profiles)} profiles, {branches} branches")
+    return SOME_FAILED if refused else 0

@@ -1,5 +1,6 @@
 """Branches as curves: the maximal disc at any place of the boundary, and points along a branch."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -37,7 +38,9 @@ class BranchSamples:
     radius: Floats
 
 
-def sampled_branches(axis: MedialAxis, step: float) -> tuple[BranchSamples, ...]:
+def sampled_branches(
+    axis: MedialAxis, step: float, branches: Sequence[Branch] | None = None
+) -> tuple[BranchSamples, ...]:
     """Sample every branch.
 
     Parameters
@@ -45,13 +48,17 @@ def sampled_branches(axis: MedialAxis, step: float) -> tuple[BranchSamples, ...]
     axis : MedialAxis
     step : float
         Largest distance between neighbouring points, mm. Straight pieces are not spared: radii change along them.
+    branches : sequence of Branch, optional
+        Others than ``axis.branches``: chains of its pieces from node to node.
 
     Returns
     -------
     tuple of BranchSamples
-        In the order of ``axis.branches``.
+        In the order of the branches.
     """
-    return tuple(_sampled(axis, branch, step / axis.frame.size) for branch in axis.branches)
+    return tuple(
+        _sampled(axis, branch, step / axis.frame.size) for branch in (axis.branches if branches is None else branches)
+    )
 
 
 def _sampled(axis: MedialAxis, branch: Branch, step: float) -> BranchSamples:

@@ -4,7 +4,9 @@ from dataclasses import dataclass
 
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.branch import sampled_branches
+from mashape_cad.medial.branch_spline import BranchSpline, branch_spline
 from mashape_cad.medial.graph import MedialAxis
+from mashape_cad.medial.pruning import PrunedAxis, simplify
 from mashape_cad.medial.tour import Ints
 
 __all__ = ["Trace", "TracedBranch", "trace"]
@@ -22,12 +24,15 @@ class TracedBranch:
         mm.
     radius : (n,) array
         Clearance, mm.
+    spline : BranchSpline or None
+        The branch as one curve, where one was asked for.
     """
 
     start: int
     end: int
     centre: Floats
     radius: Floats
+    spline: BranchSpline | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -52,18 +57,29 @@ class Trace:
     branches: tuple[TracedBranch, ...]
 
 
-def trace(axis: MedialAxis, step: float) -> Trace:
-    """Sample all branches of an axis.
+def trace(axis: MedialAxis | PrunedAxis, step: float, accuracy: float | None = None) -> Trace:
+    """Sample all branches of an axis, or of what is left of one; its nodes are numbered anew.
 
     Parameters
     ----------
-    axis : MedialAxis
+    axis : MedialAxis or PrunedAxis
     step : float
         Largest distance between neighbouring samples, mm.
+    accuracy : float, optional
+        mm. Fit a spline to each branch that is no further off; see `branch_spline`.
     """
-    nodes = axis.nodes
+    pruned = simplify(axis) if isinstance(axis, MedialAxis) else axis
+    exact, number = pruned.axis, pruned.nodes
+    place = {int(node): k for k, node in enumerate(number)}
+    samples = sampled_branches(exact, step, pruned.branches)
     branches = tuple(
-        TracedBranch(branch.start, branch.end, run.centre, run.radius)
-        for branch, run in zip(axis.branches, sampled_branches(axis, step), strict=True)
+        TracedBranch(
+            place[branch.start],
+            place[branch.end],
+            run.centre,
+            run.radius,
+            None if accuracy is None else branch_spline(exact, branch, accuracy),
+        )
+        for branch, run in zip(pruned.branches, samples, strict=True)
     )
-    return Trace(nodes.centre, nodes.radius, nodes.degree, nodes.kind, branches)
+    return Trace(exact.nodes.centre[number], exact.nodes.radius[number], pruned.degree, pruned.kind, branches)

@@ -9,22 +9,30 @@ from mashape_cad.options import AxisOptions
 from mashape_cad.views.output import checked_suffix, write
 
 if TYPE_CHECKING:
-    from mashape_cad.library.tracing import TracedProfile
+    from mashape_cad.library.tracing import RefusedProfile, TracedProfile
 
 __all__ = ["SUFFIXES", "write_axes"]
 
 SUFFIXES = (".dxf", ".svg", ".json")
 
 
-def write_axes(out: Path, profiles: Sequence["TracedProfile"], options: AxisOptions, source: Path) -> None:
+def write_axes(
+    out: Path,
+    traced: Sequence["TracedProfile"],
+    refused: Sequence["RefusedProfile"],
+    options: AxisOptions,
+    source: Path,
+) -> None:
     """Write the axes of a part's profiles.
 
     Parameters
     ----------
     out : Path
         Ends with one of `SUFFIXES`.
-    profiles : sequence of TracedProfile
-        At least one with a trace.
+    traced : sequence of TracedProfile
+        For DXF with splines.
+    refused : sequence of RefusedProfile
+        On record in JSON.
     options : AxisOptions
         What shaped the traces.
     source : Path
@@ -39,4 +47,12 @@ def write_axes(out: Path, profiles: Sequence["TracedProfile"], options: AxisOpti
         case ".json":
             from mashape_cad.views.axis_json import axes_json
 
-            write(out, axes_json(profiles, options, source))
+            write(out, axes_json(traced, refused, options, source))
+        case ".dxf":
+            from mashape_cad.views.axis_dxf import axes_dxf
+
+            write(out, axes_dxf(traced))
+        case _:
+            from mashape_cad.views.axis_svg import axes_svg
+
+            write(out, axes_svg(traced, source).encode())

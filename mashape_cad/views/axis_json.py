@@ -11,8 +11,7 @@ from mashape_cad.library.record import GENERATOR
 from mashape_cad.options import AxisOptions
 
 if TYPE_CHECKING:
-    from mashape_cad.library.tracing import TracedProfile
-    from mashape_cad.medial.trace import Trace
+    from mashape_cad.library.tracing import RefusedProfile, TracedProfile
 
 __all__ = ["FORMAT", "FORMAT_VERSION", "axes_json"]
 
@@ -20,7 +19,9 @@ FORMAT = "mashape-axis"
 FORMAT_VERSION = 1
 
 
-def axes_json(profiles: Sequence["TracedProfile"], options: AxisOptions, source: Path) -> bytes:
+def axes_json(
+    traced: Sequence["TracedProfile"], refused: Sequence["RefusedProfile"], options: AxisOptions, source: Path
+) -> bytes:
     """Return the document as UTF-8."""
     document = {
         "format": FORMAT,
@@ -29,13 +30,14 @@ def axes_json(profiles: Sequence["TracedProfile"], options: AxisOptions, source:
         "source": valid_text(source.name),
         "unit": "mm",
         "options": msgspec.to_builtins(options),
-        "profiles": [_profile(each, each.trace) for each in profiles if each.trace is not None],
-        "refused": [_refused(each) for each in profiles if each.refused is not None],
+        "profiles": [_profile(each) for each in traced],
+        "refused": [_refused(each) for each in refused],
     }
     return json_text(document)
 
 
-def _profile(each: "TracedProfile", trace: "Trace") -> dict[str, Any]:
+def _profile(each: "TracedProfile") -> dict[str, Any]:
+    trace = each.trace
     nodes = zip(trace.centre.tolist(), trace.radius.tolist(), trace.kind, trace.degree.tolist(), strict=True)
     return {
         "profile": each.number,
@@ -54,11 +56,11 @@ def _profile(each: "TracedProfile", trace: "Trace") -> dict[str, Any]:
     }
 
 
-def _refused(each: "TracedProfile") -> dict[str, Any]:
+def _refused(each: "RefusedProfile") -> dict[str, Any]:
     return {"profile": each.number, **_origin(each), **msgspec.to_builtins(each.refused)}
 
 
-def _origin(each: "TracedProfile") -> dict[str, Any]:
+def _origin(each: "TracedProfile | RefusedProfile") -> dict[str, Any]:
     """Say where in its file a profile lies: only what that kind of file has."""
     origin = each.profile.origin
     found = {

@@ -46,7 +46,7 @@ def test_discs_are_within_their_stated_error(name):
     axis, diagonal = axis_of(name), profile_of(name).diagonal
     for discs in _every(axis):
         off = np.abs(DistanceQuery(axis.profile).distances(discs.centre) - discs.radius)
-        # The kernel takes feet that lie up to 1e-7 beyond the end of an edge, which shortens its distances by 1e-14 / 2r.
+        # The kernel takes feet up to 1e-7 beyond the end of an edge, which shortens its distances by 1e-14 / 2r.
         assert np.all(off <= discs.error + 1e-14 * diagonal)
         assert np.all(discs.error <= 1e-9 * diagonal)
         assert np.all(off <= 1e-10 * diagonal)
