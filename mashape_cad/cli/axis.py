@@ -46,6 +46,8 @@ def axis(
     from mashape_cad.library.tracing import traced_profiles
     from mashape_cad.views.axis_file import write_axes
 
+    if output.exists() and file.exists() and output.samefile(file):
+        raise click.BadParameter(f"{str(output)!r} is the file that is read; name another one", param_hint="-o")
     options = AxisOptions(step, min_angle, min_thickness)
     profiles = list(enumerate(read_part(file, ReadOptions(unit, gap_rel)).profiles))
     if profile is not None:
