@@ -14,10 +14,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from mashape_cad.geometry.edge import Floats
+from mashape_cad.medial.branch import is_thin
 from mashape_cad.medial.branch_discs import BranchDiscs, gathered
 from mashape_cad.medial.branch_tip import with_tip
 from mashape_cad.medial.graph import Branch, MedialAxis
 from mashape_cad.medial.piece_curve import PieceCurve
+from mashape_cad.medial.thin_piece import thin_discs
 
 __all__ = ["BranchDiscs", "discs_on_branch"]
 
@@ -58,16 +60,16 @@ def discs_on_branch(axis: MedialAxis, branch: Branch, s: ArrayLike) -> BranchDis
 
 def _on_piece(curve: PieceCurve, along: Floats, *, forward: bool) -> BranchDiscs:
     """Evaluate a piece at fractions from its disc 0 to its disc 1, settled discs and tips included."""
-    discs = curve.axis.discs
+    if is_thin(curve.axis, curve.number):
+        return thin_discs(curve, along, forward=forward)
     centre, radius, t = curve.solved(along)
     settled = [along == 0.0, along == 1.0]
-    for end, disc in enumerate(curve.disc):
-        centre[settled[end]], radius[settled[end]] = discs.centre[disc], discs.radius[disc]
+    for end in (0, 1):
+        centre[settled[end]], radius[settled[end]] = curve.settled_point(end)[:2], curve.settled_point(end)[2]
         t[settled[end]] = curve.ends(end)
     found = curve.described(centre, radius, t, forward=forward)
-    for end, disc in enumerate(curve.disc):
-        error = discs.tolerance[disc] + abs(discs.clearance[disc] - discs.radius[disc]) + curve.rounding
-        found = replace(found, error=np.where(settled[end], error, found.error))
+    for end in (0, 1):
+        found = replace(found, error=np.where(settled[end], curve.settled_error(end), found.error))
     for end, way in enumerate((along, 1.0 - along)):
         found = with_tip(curve, end, way, found, forward=forward)
     return found

@@ -61,10 +61,10 @@ class BranchDiscs:
         Bound, mm: centre and radius are within it of a disc that touches the boundary on both sides. Obtained from the
         disc itself: how far it misses the two exact edges, rounding included, over the sine of the object angle, by
         which two nearly equal spokes magnify what is missed. At nodes and other settled discs: their tolerance, and
-        what the kernel's distance differs from the radius. Next to an osculating end: four times what the
-        polynomial misses discs solved for there. As a rule 1e-14 of the size, 1e-11 at nodes and
-        next to osculating ends. That no third part of the boundary enters a disc is as sure as for the settled discs
-        between which it lies, which is to their tolerance.
+        what the kernel's distance differs from the radius. Next to an osculating end: four times what the polynomial
+        misses discs solved for there; on a thin piece: how far it may be off its chord. As a rule 1e-14 of the size,
+        1e-11 at nodes and next to osculating ends. That no third part of the boundary enters a disc is as sure as for
+        the settled discs between which it lies, which is to their tolerance.
     """
 
     centre: Floats

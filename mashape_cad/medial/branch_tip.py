@@ -114,10 +114,9 @@ class _Tip:
     @classmethod
     def of(cls, curve: PieceCurve, end: int, width: float) -> "_Tip":
         """Lay the polynomials through a part of a piece at one of its ends."""
-        node = curve.disc[end]
         discs, t = curve.outwards(end, width * _KNOTS)
         slopes = width * curve.slopes(end, discs, t)
-        first = [[*curve.axis.discs.centre[node], curve.axis.discs.radius[node]]]
+        first = curve.settled_point(end)[None]
         polynomial = KroghInterpolator(
             np.append(0.0, np.repeat(_KNOTS, 2)),
             np.concatenate([first, np.stack([discs.points, slopes], axis=1).reshape(-1, 3)]),
@@ -160,5 +159,5 @@ def _vertex_width(curve: PieceCurve, end: int) -> float:
 
 def _are_known(curve: PieceCurve, discs: BranchDiscs) -> NDArray[np.bool_]:
     """Whether discs are known as well as rounding allows; those of convex vertices are."""
-    rounding = 2 * curve.rounding / np.sin(discs.object_angle)
+    rounding = 2 * curve.rounding / np.maximum(np.sin(discs.object_angle), np.finfo(float).tiny)
     return (discs.radius == 0.0) | (discs.error <= _KNOWN * curve.axis.frame.size + rounding)

@@ -18,6 +18,7 @@ __all__ = ["NARROW", "PieceCurve"]
 NARROW = 0.05
 # Part of a piece on which its sides are compared next to an osculating end.
 _NEAR_END = 0.01
+_INSIDE = 1e-13
 # Rounding of a coordinate, a few operations deep.
 _ROUNDING = 8 * np.finfo(float).eps
 
@@ -81,10 +82,21 @@ class PieceCurve:
             return Feet(point, number, np.zeros(len(t)), normal, np.full(len(t), -np.inf))
         start, end = float(tour.edge_from[element]), float(tour.edge_to[element])
         u = start + _fraction(edge, t, end - start) * (end - start)
-        point, first, second = np.moveaxis(edge.derivatives(u), 1, 0)
+        point = edge.point(u)
+        # Where two spans of a spline meet its curvature may jump: a hair inside, it is that of this span.
+        _, first, second = np.moveaxis(edge.derivatives(np.clip(u, start + _INSIDE, end - _INSIDE)), 1, 0)
         speed = np.hypot(first[:, 0], first[:, 1])
         curvature = (first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]) / speed**3
         return Feet(point, number, u, np.column_stack([-first[:, 1], first[:, 0]]) / speed[:, None], curvature)
+
+    def settled_error(self, end: int) -> float:
+        """Return what the disc at an end is known to, mm."""
+        discs, disc = self.axis.discs, self.disc[end]
+        return float(discs.tolerance[disc] + abs(discs.clearance[disc] - discs.radius[disc]) + self.rounding)
+
+    def settled_point(self, end: int) -> Floats:
+        """Centre and radius of the disc at an end: (3,)."""
+        return np.append(self.axis.discs.centre[self.disc[end]], self.axis.discs.radius[self.disc[end]])
 
     def ends(self, end: int) -> tuple[float, float]:
         """Places of both sides at disc `end`: along side 1 the boundary runs back."""

@@ -99,7 +99,7 @@ def test_feet_touch_the_exact_edges(name):
 def test_tangent_rate_and_curvature_are_those_of_differences(name):
     """To the accuracy of five-point differences; the signs too."""
     axis = axis_of(name)
-    size = axis.frame.size
+    size, telling = axis.frame.size, []
     for branch in axis.branches:
         s = np.concatenate([k + _INSIDE for k in range(len(branch.pieces))])
         discs = discs_on_branch(axis, branch, s)
@@ -110,7 +110,8 @@ def test_tangent_rate_and_curvature_are_those_of_differences(name):
         # Where two steps of the differences disagree they say nothing about a third number.
         doubt = np.abs(curvature - coarse[2])
         assert np.all(np.abs(discs.curvature - curvature) <= 20 * doubt + 1e-4 * (np.abs(curvature) + 1 / size))
-        assert np.mean(doubt <= 1e-3 * (np.abs(curvature) + 1 / size)) > 0.5
+        telling += (doubt <= 1e-3 * (np.abs(curvature) + 1 / size)).tolist()
+    assert not telling or np.mean(telling) > 0.5
 
 
 @pytest.mark.parametrize("name", _ALL)
