@@ -47,6 +47,8 @@ def discs_on_branch(axis: MedialAxis, branch: Branch, s: ArrayLike) -> BranchDis
     if len(outside):
         raise ValueError(f"a parameter of this branch lies between 0 and {count}, not {outside[0]}")
     number = np.minimum(s.astype(np.int64), count - 1)
+    if not len(s):
+        return gathered([discs_on_branch(axis, branch, 0.0)], np.zeros(0, dtype=np.int64))
     edges = axis.profile.edges
     found = [(np.flatnonzero(number == k), k) for k in np.unique(number).tolist()]
     parts = []

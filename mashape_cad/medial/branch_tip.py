@@ -41,6 +41,9 @@ _KNOTS = np.array([0.5, 0.75, 1.0])
 _PLACES = np.array([0.35, 0.5, 0.65, 0.8, 1.0])
 # Between the checks the polynomial may be off by some times more: three is what was seen.
 _MARGIN = 4.0
+# A tip that is off by more (sizes) is tried smaller, down to this part of a piece: where the boundary is not smooth, as
+# at the knots of a spline, polynomials gain little by their degree, and smaller ones lose digits of their discs.
+_GOAL, _LEAST = 1e-12, 1e-5
 # Closer to the end (fraction of the narrow part) the curvature of the axis is given as constant: it is a quotient of
 # two differences there, and may grow beyond all bounds.
 _NEAREST = 0.2
@@ -64,7 +67,7 @@ def with_tip(curve: PieceCurve, end: int, way: Floats, found: BranchDiscs, *, fo
     osculates = curve.osculating[end]
     if not osculates and (curve.axis.discs.radius[curve.disc[end]] > 0.0 or np.all(_are_known(curve, found))):
         return found
-    tip = _Tip.of(curve, end, _narrow_width(curve, end) if osculates else _vertex_width(curve, end))
+    tip = _osculating_tip(curve, end) if osculates else _Tip.of(curve, end, _vertex_width(curve, end))
     rows = np.flatnonzero(way < tip.width)
     if not len(rows):
         return found
@@ -138,6 +141,19 @@ class _Tip:
         along = self.discs.derivative(_CHECKS, 1)
         along /= np.linalg.norm(along, axis=1)[:, None]
         return np.linalg.norm(away - np.einsum("ij,ij->i", away, along)[:, None] * along, axis=1)
+
+
+def _osculating_tip(curve: PieceCurve, end: int) -> _Tip:
+    """Lay the tip through the narrow part, or through less of it while that makes it better."""
+    width = _narrow_width(curve, end)
+    tip = _Tip.of(curve, end, width)
+    while tip.error > _GOAL * curve.axis.frame.size and width > _LEAST:
+        width /= 2
+        smaller = _Tip.of(curve, end, width)
+        if smaller.error >= tip.error:
+            break
+        tip = smaller
+    return tip
 
 
 def _narrow_width(curve: PieceCurve, end: int) -> float:

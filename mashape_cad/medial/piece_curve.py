@@ -75,12 +75,12 @@ class PieceCurve:
         tour, element = self.axis.tour, int(self.axis.pieces.element[self.number, side])
         number = int(tour.edge[element])
         edge = self.edges[number]
+        start, end = float(tour.edge_from[element]), float(tour.edge_to[element])
         if tour.degree[element] == 0:
             angle = tour.cone[element, 0] + t * tour.cone[element, 1]
-            point = np.repeat(edge.start[None], len(t), axis=0)
+            u = np.full(len(t), start)
             normal = np.column_stack([np.cos(angle), np.sin(angle)])
-            return Feet(point, number, np.zeros(len(t)), normal, np.full(len(t), -np.inf))
-        start, end = float(tour.edge_from[element]), float(tour.edge_to[element])
+            return Feet(edge.point(u), number, u, normal, np.full(len(t), -np.inf))
         u = start + _fraction(edge, t, end - start) * (end - start)
         point = edge.point(u)
         # Where two spans of a spline meet its curvature may jump: a hair inside, it is that of this span.

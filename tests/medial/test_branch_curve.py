@@ -4,9 +4,10 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from catalogue import KNOWN, NAMED, axis_of, profile_of
+from catalogue import KNOWN, NAMED, axis_of, polygon, profile_of
 
-from mashape_cad.geometry.edge import Similarity
+from mashape_cad.geometry.edge import BSpline, Line, Similarity
+from mashape_cad.geometry.profile import Loop, Profile
 from mashape_cad.kernel import DistanceQuery, KernelCurve
 from mashape_cad.medial.axis import medial_axis
 from mashape_cad.medial.branch_curve import BranchDiscs, discs_on_branch
@@ -240,12 +241,99 @@ def test_the_centre_moves_forward():
             assert np.all(still | (np.einsum("ij,ij->i", steps, discs.tangent[:-1]) > 0))
 
 
+def _catmull_rom() -> Profile:
+    """A closed cubic spline whose curvature jumps at each of its knots, as outlines in files often are."""
+    points = np.array([[2, 0], [1.2, 0.9], [0.1, 0.8], [-1.1, 1.2], [-2, 0.1], [-1.0, -0.7], [0.2, -1.0], [1.3, -0.8]])
+    slopes = (np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0)) / 2
+    points, slopes = (np.concatenate([array, array[:1]]) for array in (points, slopes))
+    inner = np.stack([points[:-1] + slopes[:-1] / 3, points[1:] - slopes[1:] / 3], axis=1).reshape(-1, 2)
+    knots = [*[0.0] * 2, *np.repeat(np.arange(9.0), 2), *[8.0] * 2]
+    return Profile.of(Loop((BSpline.of(3, knots, np.concatenate([points[:1], inner, points[-1:]])),)))
+
+
+def _kinked(turn: float) -> Profile:
+    """A plate whose lower side has a vertex in its middle that turns by hardly anything, outwards or inwards."""
+    return Profile.of(polygon([(0, 0), (2, -turn), (4, 0), (4, 1), (0, 1)]))
+
+
+_SPECIAL = {
+    "curvature jumps": _catmull_rom,
+    "kink 4e-7": lambda: _kinked(4e-7),
+    "kink 1e-5": lambda: _kinked(1e-5),
+    "kink 1e-3": lambda: _kinked(1e-3),
+    "kink 0.1": lambda: _kinked(0.1),
+    "reflex kink 4e-7": lambda: _kinked(-4e-7),
+}
+
+
+@pytest.mark.parametrize("name", _SPECIAL)
+def test_special_profiles(name):
+    """Splines with jumps of curvature, kinks that are hardly any: discs within their error, which is small itself."""
+    profile = _SPECIAL[name]()
+    axis, diagonal = medial_axis(profile), profile.diagonal
+    for discs in _every(axis):
+        off = np.abs(DistanceQuery(profile).distances(discs.centre) - discs.radius)
+        assert np.all(off <= discs.error + 1e-14 * diagonal)
+        assert np.all(discs.error <= 1e-6 * diagonal)
+        assert np.all(off <= 1e-10 * diagonal)
+        assert np.isfinite(discs.curvature).all()
+
+
+@pytest.mark.parametrize("turn", [4e-7, 1e-5, 1e-3])
+def test_the_branch_at_a_kink(turn):
+    """From the vertex straight up to the middle, the radius growing as the centre rises, to rounding of the angle."""
+    axis = medial_axis(_kinked(turn))
+    vertex = int(np.argmin(np.hypot(*(axis.nodes.centre - [2, -turn]).T)))
+    (branch,) = (each for each in axis.branches if vertex in (each.start, each.end))
+    discs = discs_on_branch(axis, branch, np.linspace(0, len(branch.pieces), 101))
+    assert np.abs(discs.centre[:, 0] - 2).max() <= 1e-9
+    assert np.abs(np.abs(discs.tangent) - [0, 1]).max() <= 1e-9
+    assert discs.radius == pytest.approx((discs.centre[:, 1] + turn) * np.cos(turn / 2), abs=1e-9)
+    rises = np.diff(discs.centre[:, 1]) * (1 if branch.start == vertex else -1)
+    assert np.all(rises > 0)
+    assert discs.object_angle == pytest.approx(turn / 2, rel=1e-3)
+
+
+def test_curvature_where_spans_meet():
+    """At a knot, seen from the piece that follows: its boundary curvature is that of the span which it runs along."""
+    axis = medial_axis(_catmull_rom())
+    jumps = 0
+    for branch in axis.branches:
+        at = np.arange(1.0, len(branch.pieces))
+        here, behind, before = (discs_on_branch(axis, branch, at + step) for step in (0, 1e-7, -1e-7))
+        assert here.boundary_curvature == pytest.approx(behind.boundary_curvature, rel=1e-3, abs=1e-4)
+        assert here.curvature == pytest.approx(behind.curvature, rel=1e-2, abs=1e-3)
+        jumps += int(np.sum(np.abs(here.boundary_curvature - before.boundary_curvature) > 1e-2))
+    assert jumps > 4
+
+
+def test_feet_at_a_kink_inside_a_spline():
+    """A reflex kink between two spans of one edge: the foot is at the knot, not where the edge starts."""
+    side = BSpline.of(1, [0, 0, 0.3, 1, 1], [(0, 0), (1.2, 2e-7), (4, 0)])
+    lines = [Line.of(p, q) for p, q in pairwise([(4, 0), (4, 1), (0, 1), (0, 0)])]
+    axis = medial_axis(Profile.of(Loop((side, *lines))))
+    found = 0
+    for discs in _every(axis):
+        for k, column in np.argwhere(np.isneginf(discs.boundary_curvature)):
+            assert (discs.foot_edge[k, column], discs.foot_u[k, column]) == (0, pytest.approx(0.3))
+            assert discs.foot[k, column] == pytest.approx([1.2, 2e-7], abs=1e-12)
+            found += 1
+    assert found > 3
+
+
 @pytest.mark.parametrize("s", [-1e-9, 1.5, np.nan, np.inf])
 def test_parameters_outside_are_refused(s):
     """The message names the range."""
     axis = axis_of("square")
     with pytest.raises(ValueError, match="lies between 0 and 1"):
         discs_on_branch(axis, axis.branches[0], [0.5, s])
+
+
+def test_no_parameters_give_no_discs():
+    """Arrays of the right shapes, with no rows."""
+    axis = axis_of("square")
+    discs = discs_on_branch(axis, axis.branches[0], [])
+    assert (discs.centre.shape, discs.foot.shape, discs.radius.shape) == ((0, 2), (0, 2, 2), (0,))
 
 
 def test_values_are_read_only():
