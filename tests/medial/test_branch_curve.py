@@ -304,7 +304,7 @@ def test_curvature_where_spans_meet():
         assert here.boundary_curvature == pytest.approx(behind.boundary_curvature, rel=1e-3, abs=1e-4)
         assert here.curvature == pytest.approx(behind.curvature, rel=1e-2, abs=1e-3)
         jumps += int(np.sum(np.abs(here.boundary_curvature - before.boundary_curvature) > 1e-2))
-    assert jumps > 4
+    assert jumps >= 4
 
 
 def test_feet_at_a_kink_inside_a_spline():
