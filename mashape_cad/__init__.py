@@ -28,7 +28,9 @@ if TYPE_CHECKING:
     from mashape_cad.library.record import ProfileRecord, Sidecar
     from mashape_cad.library.sidecar import read_sidecar, sidecar_path
     from mashape_cad.medial.axis import MedialAxis, medial_axis
+    from mashape_cad.medial.branch_curve import BranchDiscs, discs_on_branch
     from mashape_cad.medial.certificate import Certificate, certificate
+    from mashape_cad.medial.pruning import PrunedAxis, simplify
     from mashape_cad.options import PartOptions, ReadOptions, ScanOptions, SignatureOptions
     from mashape_cad.reading.part import Part, Unit
     from mashape_cad.reading.reader import read
@@ -40,6 +42,7 @@ __all__ = [
     "Arc",
     "AxisError",
     "BSpline",
+    "BranchDiscs",
     "Certificate",
     "Edge",
     "EllipseArc",
@@ -60,6 +63,7 @@ __all__ = [
     "Plane",
     "Profile",
     "ProfileRecord",
+    "PrunedAxis",
     "QueryError",
     "ReadOptions",
     "ScanOptions",
@@ -73,12 +77,14 @@ __all__ = [
     "UnreadableFileError",
     "__version__",
     "certificate",
+    "discs_on_branch",
     "medial_axis",
     "read",
     "read_sidecar",
     "scan",
     "sidecar_path",
     "signature",
+    "simplify",
 ]
 
 # Where each name is found at run time; the imports above say the same to type checkers.
@@ -102,7 +108,9 @@ _PLACES = {
     "library.record": ("ProfileRecord", "Sidecar"),
     "library.sidecar": ("read_sidecar", "sidecar_path"),
     "medial.axis": ("MedialAxis", "medial_axis"),
+    "medial.branch_curve": ("BranchDiscs", "discs_on_branch"),
     "medial.certificate": ("Certificate", "certificate"),
+    "medial.pruning": ("PrunedAxis", "simplify"),
     "options": ("PartOptions", "ReadOptions", "ScanOptions", "SignatureOptions"),
     "reading.part": ("Part", "Unit"),
     "reading.reader": ("read",),

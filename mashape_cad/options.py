@@ -7,10 +7,22 @@ range with it. No default stands anywhere else.
 from dataclasses import dataclass, field, fields
 from typing import Any
 
-__all__ = ["Declared", "PartOptions", "ReadOptions", "ScanOptions", "SignatureOptions", "describe"]
+__all__ = [
+    "AXIS_STEP_REL",
+    "AxisOptions",
+    "Declared",
+    "PartOptions",
+    "ReadOptions",
+    "ScanOptions",
+    "SignatureOptions",
+    "describe",
+]
 
 # Names as files and people write them; what each is worth in millimetres is the reader's business.
 UNIT_NAMES = ("mm", "cm", "m", "in", "ft", "um")
+# Spacing of an axis' samples where none is asked for, as a fraction of the profile's diagonal: finer than a screen
+# shows, at some hundred samples for a plain part.
+AXIS_STEP_REL = 0.005
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,6 +169,42 @@ class ScanOptions:
         default=False, sentence="Try files again that failed before and have not changed since."
     )
     part: PartOptions = field(default_factory=PartOptions)
+
+    def __post_init__(self) -> None:
+        _check(self)
+
+
+@dataclass(frozen=True, slots=True)
+class AxisOptions:
+    """How a medial axis is written to a file.
+
+    Raises
+    ------
+    ValueError
+        If a value is outside its range.
+    """
+
+    step: float | None = _option(
+        None,
+        f"Largest spacing of samples along a branch; not given, {AXIS_STEP_REL:.1%} of the profile's diagonal.",
+        unit="mm",
+        low=1e-9,
+        high=1e9,
+    )
+    min_angle: float = _option(
+        0.0,
+        "Leave out end branches whose object angle, half the angle between the spokes, stays below this.",
+        unit="degrees",
+        low=0.0,
+        high=90.0,
+    )
+    min_thickness: float = _option(
+        0.0,
+        "Leave out end branches whose erosion thickness, what the outline loses with them, is below this.",
+        unit="mm",
+        low=0.0,
+        high=1e9,
+    )
 
     def __post_init__(self) -> None:
         _check(self)

@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 
 import click
 
+from mashape_cad.cli.axis import axis
 from mashape_cad.cli.certify import certify
 from mashape_cad.cli.scan import scan
 from mashape_cad.cli.search import search
@@ -36,7 +37,7 @@ def commands() -> None:
     """
 
 
-for _command in (scan, search, show, certify):
+for _command in (scan, search, show, axis, certify):
     commands.add_command(_command)
 
 

@@ -49,7 +49,7 @@ def read_switches(command: Command) -> Command:
     return option(ReadOptions, "unit")(option(ReadOptions, "gap_rel", "--gap")(command))
 
 
-def output(*suffixes: str, required: bool = False) -> Callable[[Command], Command]:
+def output(*suffixes: str, required: bool = False, what: str = "Picture to draw") -> Callable[[Command], Command]:
     """Return the switch ``-o``; the file's suffix, one of `suffixes`, says what is drawn."""
 
     def check(_context: click.Context, _parameter: click.Parameter, path: Path | None) -> Path | None:
@@ -65,7 +65,7 @@ def output(*suffixes: str, required: bool = False) -> Callable[[Command], Comman
         required=required,
         callback=check,
         metavar="OUT" + "|OUT".join(suffixes),
-        help="Picture to draw; its suffix says which kind.",
+        help=f"{what}; its suffix says which kind.",
     )
 
 

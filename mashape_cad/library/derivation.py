@@ -45,7 +45,7 @@ from mashape_cad.reading.part import Part
 from mashape_cad.reading.reader import read
 from mashape_cad.signatures.paper import signature
 
-__all__ = ["derive", "profile_record", "profile_records", "read_part", "records_of", "warm_up"]
+__all__ = ["derive", "profile_record", "profile_records", "read_part", "records_of", "refusal", "warm_up"]
 
 # Spacing of the axis' points before they are thinned for the thumbnail, as a fraction of the larger side: on a branch
 # that bends with a twentieth of the size as radius, the chord is off by 1/4000.
@@ -141,8 +141,18 @@ def profile_record(profile: Profile, options: SignatureOptions) -> ProfileRecord
     except KernelUnavailableError:
         raise
     except Exception as error:  # noqa: BLE001  (a fault of ours in one profile must not cost the others)
-        return _record(profile, bounds, thumbnail(profile, bounds), refused=_refusal(error))
+        return _record(profile, bounds, thumbnail(profile, bounds), refused=refusal(error))
     return _record(profile, bounds, thumbnail(profile, bounds, branches), axis=certified, vectors=vectors)
+
+
+def refusal(error: Exception) -> Refusal:
+    """Return what is put on record of an error that ended one profile."""
+    text = " ".join(str(error).split())
+    if isinstance(error, InvalidProfileError):
+        return Refusal("profile-invalid", text, error.place, error.kind)
+    if isinstance(error, AxisError):
+        return Refusal("axis-refused", text, error.place)
+    return Refusal("axis-refused", f"a fault of this program ({type(error).__name__}: {text})", kind="internal")
 
 
 def warm_up() -> None:
@@ -197,7 +207,7 @@ def _without_extent(profile: Profile, error: Exception) -> ProfileRecord:
         edges=len(profile.edges),
         holes=len(profile.holes),
         thumbnail=Thumbnail((0.0, 0.0), 1.0, ()),
-        refused=_refusal(error),
+        refused=refusal(error),
     )
 
 
@@ -235,15 +245,6 @@ def _branches(axis: MedialAxis, size: float) -> list[Floats]:
         return [np.column_stack([axis.nodes.centre, axis.nodes.radius])]
     samples = sampled_branches(axis, size * _THUMBNAIL_STEP)
     return [np.column_stack([each.centre, each.radius]) for each in samples]
-
-
-def _refusal(error: Exception) -> Refusal:
-    text = " ".join(str(error).split())
-    if isinstance(error, InvalidProfileError):
-        return Refusal("profile-invalid", text, error.place, error.kind)
-    if isinstance(error, AxisError):
-        return Refusal("axis-refused", text, error.place)
-    return Refusal("axis-refused", f"a fault of this program ({type(error).__name__}: {text})", kind="internal")
 
 
 def _refusals(records: tuple[ProfileRecord, ...]) -> Iterator[Finding]:

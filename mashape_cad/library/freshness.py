@@ -10,8 +10,9 @@ from enum import StrEnum
 from pathlib import Path
 
 from mashape_cad.errors import SidecarError, UnreadableFileError
+from mashape_cad.library.json_text import valid_text
 from mashape_cad.library.record import CURRENT_SIGNATURE, Sidecar, Source
-from mashape_cad.library.sidecar import UnknownVersionError, read_sidecar, sidecar_path, valid_text
+from mashape_cad.library.sidecar import UnknownVersionError, read_sidecar, sidecar_path
 from mashape_cad.options import PartOptions
 
 __all__ = ["Freshness", "Status", "freshness", "source_of"]

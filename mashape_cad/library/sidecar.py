@@ -3,15 +3,15 @@
 The format is described in ``docs/sidecar.md``; the values in it are those of `mashape_cad.library.record`.
 """
 
-import secrets
-from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import msgspec
 
 from mashape_cad.errors import SidecarError
+from mashape_cad.library.json_text import json_text
 from mashape_cad.library.record import Sidecar
+from mashape_cad.library.replacing import replace_file
 
 __all__ = [
     "FORMAT_VERSION",
@@ -22,15 +22,12 @@ __all__ = [
     "read_sidecar",
     "schema",
     "sidecar_path",
-    "valid_text",
     "write_sidecar",
 ]
 
 SUFFIX = ".mashape.json"
 FORMAT = "mashape-sidecar"
 FORMAT_VERSION = 1
-
-_PLAIN = (str, int, float, bool, type(None))
 
 
 class UnknownVersionError(SidecarError):
@@ -60,15 +57,10 @@ def sidecar_path(part: Path) -> Path:
     return part.with_name(part.name + SUFFIX)
 
 
-def valid_text(text: str) -> str:
-    """Return a text that can be written as UTF-8: what Python took in as stray bytes becomes a question mark."""
-    return text.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
-
-
 def encode(sidecar: Sidecar) -> bytes:
     """Return the bytes of a sidecar: same value, same bytes, on every system."""
     document = {"format": FORMAT, "version": FORMAT_VERSION, **msgspec.to_builtins(sidecar)}
-    return b"".join(_lines(document, b"\n")) + b"\n"
+    return json_text(document)
 
 
 def decode(content: bytes, label: str = "sidecar") -> Sidecar:
@@ -123,7 +115,7 @@ def write_sidecar(path: Path, sidecar: Sidecar) -> None:
         If the folder cannot be written to.
     """
     try:
-        _replace(path, encode(sidecar))
+        replace_file(path, encode(sidecar))
     except OSError as error:
         reason = error.strerror or error
         raise SidecarError(f"cannot write {path}: {reason}; make the folder writable and scan again") from error
@@ -140,56 +132,3 @@ def schema() -> dict[str, Any]:
     document["properties"] = head | document["properties"]
     document["required"] = [*head, *document["required"]]
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **document, "$defs": parts}
-
-
-def _replace(path: Path, content: bytes) -> None:
-    # In the same folder, because a rename is atomic only within one file system. The name is short, since the
-    # sidecar's own may already be as long as the file system allows, and hidden, so that no scan looks at it.
-    temporary = path.with_name(f".mashape-{secrets.token_hex(6)}.tmp")
-    try:
-        temporary.write_bytes(content)
-        temporary.replace(path)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
-
-
-def _lines(value: Any, newline: bytes) -> Iterator[bytes]:
-    """Yield the text of a value, indented by one space a level; `newline` is a line's end and the indent so far."""
-    if _is_flat(value):
-        yield _json(value)
-    elif isinstance(value, Mapping):
-        yield from _block(value.items(), newline, b"{}", lambda item: msgspec.json.encode(item[0]) + b": ")
-    else:
-        yield from _block([(None, each) for each in value], newline, b"[]", lambda _: b"")
-
-
-def _block(items: Any, newline: bytes, brackets: bytes, label: Any) -> Iterator[bytes]:
-    deeper = newline + b" "
-    yield brackets[:1]
-    for number, item in enumerate(items):
-        yield (b"," if number else b"") + deeper + label(item)
-        yield from _lines(item[1], deeper)
-    yield newline + brackets[1:]
-
-
-def _json(value: Any) -> bytes:
-    try:
-        return msgspec.json.encode(value)
-    except UnicodeEncodeError:  # bytes that were no text, in a layer's name say
-        return msgspec.json.encode(_valid(value))
-
-
-def _valid(value: Any) -> Any:
-    if isinstance(value, str):
-        return valid_text(value)
-    if isinstance(value, Mapping):
-        return {name: _valid(member) for name, member in value.items()}
-    return [_valid(member) for member in value] if isinstance(value, list | tuple) else value
-
-
-def _is_flat(value: Any) -> bool:
-    if isinstance(value, _PLAIN):
-        return True
-    members = value.values() if isinstance(value, Mapping) else value
-    return all(isinstance(member, _PLAIN) for member in members)

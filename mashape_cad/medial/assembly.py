@@ -56,7 +56,7 @@ def foot(tour: Tour, place: tuple[int, float]) -> tuple[int, float]:
 
 @compiled
 def _edge_parameter(tour: Tour, e: int, t: float) -> float:
-    """Parameter ``u`` of a place on its edge; a cone lies at the start of its edge."""
+    """Parameter ``u`` of a place on its edge; a cone lies where the span behind it starts."""
     start, end = tour.edge_from[e], tour.edge_to[e]
     if tour.angle[e] != 0.0 and 0.0 < t < 1.0:
         t = _angle_fraction(t, tour.angle[e])

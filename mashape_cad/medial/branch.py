@@ -1,5 +1,6 @@
 """Branches as curves: the maximal disc at any place of the boundary, and points along a branch."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,14 +10,17 @@ from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.compiled import compiled
 from mashape_cad.medial.disc import twin_on_stretch
 from mashape_cad.medial.graph import Branch, MedialAxis
-from mashape_cad.medial.tour import Ints, Tour
+from mashape_cad.medial.tour import Ints, Tour, site
 
-__all__ = ["BranchSamples", "contact_before", "discs_on_piece", "sampled_branches"]
+__all__ = ["BranchSamples", "contact_before", "discs_on_piece", "is_thin", "sampled_branches"]
 
 # Halvings of a piece's parameter before a chord longer than the step is left as it is: near an end the centre moves
 # with the square of the parameter, never worse.
 _ROUNDS = 14
 _FIRST = 5
+# Sine of an object angle below which a disc's feet are too close together to tell its place along the branch: that is
+# known to rounding over the square of this. A piece that is as thin at both ends is as good as straight.
+_THIN = 1e-3
 # Places this close before a contact (in the tour's parameter) are on it, whatever rounding says.
 _ON_CONTACT = 1e-9
 
@@ -37,7 +41,9 @@ class BranchSamples:
     radius: Floats
 
 
-def sampled_branches(axis: MedialAxis, step: float) -> tuple[BranchSamples, ...]:
+def sampled_branches(
+    axis: MedialAxis, step: float, branches: Sequence[Branch] | None = None
+) -> tuple[BranchSamples, ...]:
     """Sample every branch.
 
     Parameters
@@ -45,13 +51,17 @@ def sampled_branches(axis: MedialAxis, step: float) -> tuple[BranchSamples, ...]
     axis : MedialAxis
     step : float
         Largest distance between neighbouring points, mm. Straight pieces are not spared: radii change along them.
+    branches : sequence of Branch, optional
+        Others than ``axis.branches``: chains of its pieces from node to node.
 
     Returns
     -------
     tuple of BranchSamples
-        In the order of ``axis.branches``.
+        In the order of the branches.
     """
-    return tuple(_sampled(axis, branch, step / axis.frame.size) for branch in axis.branches)
+    return tuple(
+        _sampled(axis, branch, step / axis.frame.size) for branch in (axis.branches if branches is None else branches)
+    )
 
 
 def _sampled(axis: MedialAxis, branch: Branch, step: float) -> BranchSamples:
@@ -75,6 +85,9 @@ def _inner(axis: MedialAxis, piece: int, step: float) -> Floats:
             axis.discs.radius[axis.pieces.disc[piece]] / axis.frame.size,
         ]
     )
+    if is_thin(axis, piece):
+        count = max(2, int(np.ceil(np.hypot(*(ends[1] - ends[0])[:2]) / step)) + 1)
+        return _scaled(axis, np.linspace(ends[0], ends[1], count)[1:-1])
     t = np.linspace(low, high, _FIRST)
     points = np.vstack([ends[:1], discs_on_piece(axis, piece, t[1:-1])[:, :3], ends[1:]])
     for _ in range(_ROUNDS):
@@ -84,9 +97,23 @@ def _inner(axis: MedialAxis, piece: int, step: float) -> Floats:
         middles = (t[wide] + t[wide + 1]) / 2
         t = np.insert(t, wide + 1, middles)
         points = np.insert(points, wide + 1, discs_on_piece(axis, piece, middles)[:, :3], axis=0)
-    inner = points[1:-1] * axis.frame.size
-    inner[:, :2] += axis.frame.middle
-    return inner
+    return _scaled(axis, points[1:-1])
+
+
+def _scaled(axis: MedialAxis, points: Floats) -> Floats:
+    scaled = points * axis.frame.size
+    scaled[:, :2] += axis.frame.middle
+    return scaled
+
+
+def is_thin(axis: MedialAxis, piece: int) -> bool:
+    """Whether the feet of a piece nearly coincide from end to end, as at a kink that is hardly one."""
+    (e, f), low, high = axis.pieces.element[piece], axis.pieces.low[piece], axis.pieces.high[piece]
+    for t, s in ((low[0], high[1]), (high[0], low[1])):
+        n, m = np.array(site(axis.tour, int(e), t)[2:4]), np.array(site(axis.tour, int(f), s)[2:4])
+        if np.hypot(*(n - m)) / 2 > _THIN:
+            return False
+    return True
 
 
 def discs_on_piece(axis: MedialAxis, piece: int, t: Floats, side: int = 0) -> Floats:

@@ -74,7 +74,7 @@ class Tour(NamedTuple):
     loop : (n,) array
         Number of the loop.
     edge : (n,) array
-        Number of the edge in ``profile.edges`` (of a cone: the edge that starts there).
+        Number of the edge in ``profile.edges`` (of a cone: the edge on which the span behind it lies).
     edge_from, edge_to : (n,) arrays
         Edge parameter at the element's ends.
     box : (n, 4) array
@@ -372,6 +372,7 @@ def _laid_out(spans: _Spans) -> Tour:
                 out.control[at, 0, j] = spans.control[e, 0, j] / spans.control[e, 0, 2]
             out.cone[at, 0], out.cone[at, 1] = heading[e] + math.pi / 2, turn[e]
             out.loop[at], out.edge[at] = spans.loop[e], spans.edge[e]
+            out.edge_from[at] = out.edge_to[at] = spans.edge_from[e]  # not 0 at a kink between the spans of one edge
             at += 1
         for i in range(spans.degree[e] + 1):
             for j in range(3):

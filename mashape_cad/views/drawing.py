@@ -89,6 +89,8 @@ class Drawing:
     shapes : tuple of Shape
     background : str or None
         None leaves it transparent.
+    pixel : float or None
+        Size of a pixel, mm, of a drawing in true size; None for pictures, which have none.
     """
 
     width: float
@@ -96,6 +98,7 @@ class Drawing:
     title: str
     shapes: tuple[Shape, ...]
     background: str | None = None
+    pixel: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

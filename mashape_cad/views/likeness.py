@@ -3,6 +3,7 @@
 It comes from a sidecar's light picture, or finer from the exact values; both are drawn by the same code.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -13,6 +14,7 @@ from mashape_cad.views.drawing import Floats
 
 if TYPE_CHECKING:
     from mashape_cad.geometry.profile import Profile
+    from mashape_cad.library.tracing import TracedProfile
     from mashape_cad.medial.axis import MedialAxis
 
 __all__ = ["Likeness"]
@@ -56,6 +58,17 @@ class Likeness:
             return cls(loops, (np.column_stack([axis.nodes.centre, axis.nodes.radius]),))
         samples = sampled_branches(axis, _STEP * profile.diagonal)
         return cls(loops, tuple(np.column_stack([each.centre, each.radius]) for each in samples))
+
+    @classmethod
+    def of_traces(cls, traced: Sequence["TracedProfile"]) -> "Likeness":
+        """Take the samples of traced profiles, all in one picture."""
+        loops = (loop.flattened(_PER_SPAN) for each in traced for loop in each.profile.loops)
+        branches: list[Floats] = []
+        for trace in (each.trace for each in traced):
+            branches += [np.column_stack([branch.centre, branch.radius]) for branch in trace.branches]
+            if not trace.branches:
+                branches.append(np.column_stack([trace.centre, trace.radius]))
+        return cls(tuple(loops), tuple(branches))
 
     @property
     def bounds(self) -> Floats:

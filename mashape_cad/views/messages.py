@@ -8,9 +8,9 @@ from typing import Any
 
 import msgspec
 
+from mashape_cad.library.json_text import valid_text
 from mashape_cad.library.match import Match
 from mashape_cad.library.record import ProfileRecord
-from mashape_cad.library.sidecar import valid_text
 from mashape_cad.scanning import FileScanned, ScanSummary
 
 __all__ = [

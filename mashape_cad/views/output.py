@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from mashape_cad.errors import MashapeError
+from mashape_cad.library.replacing import replace_file
 
 __all__ = ["PictureError", "checked_suffix", "write"]
 
@@ -28,7 +29,7 @@ def checked_suffix(out: Path, suffixes: Sequence[str]) -> str:
 
 
 def write(out: Path, content: bytes) -> None:
-    """Write a picture.
+    """Write a picture, whole or not at all.
 
     Raises
     ------
@@ -36,7 +37,7 @@ def write(out: Path, content: bytes) -> None:
         If the system refuses.
     """
     try:
-        out.write_bytes(content)
+        replace_file(out, content)
     except OSError as error:
         reason = error.strerror or error
         raise PictureError(f"cannot write {out}: {reason}; choose a folder that exists and is writable") from error

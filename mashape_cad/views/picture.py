@@ -11,8 +11,6 @@ import numpy as np
 from mashape_cad.library.record import ProfileRecord
 from mashape_cad.views.colours import PAPER
 from mashape_cad.views.drawing import (
-    Anchor,
-    Area,
     Circle,
     Drawing,
     Floats,
@@ -22,12 +20,11 @@ from mashape_cad.views.drawing import (
     Shape,
     dimensions,
     printable,
-    rectangle,
 )
 from mashape_cad.views.histogram import histogram
 from mashape_cad.views.likeness import Likeness
 from mashape_cad.views.output import checked_suffix, write
-from mashape_cad.views.profile_panel import axis_lines, junctions, maximal_discs, outline
+from mashape_cad.views.profile_panel import axis_lines, colour_bar, junctions, maximal_discs, outline
 from mashape_cad.views.raster import png
 from mashape_cad.views.svg import svg
 
@@ -127,7 +124,7 @@ def _drawing(subject: _Subject) -> Drawing:
         *_header(subject),
         *_profile(subject, placement),
         *_scale_bar(subject.likeness, placement.scale, bottom),
-        *_colour_bar(subject.likeness.largest_radius, bottom),
+        *colour_bar(subject.likeness.largest_radius, _MARGIN + _PANEL_WIDTH, bottom, PAPER),
         *_charts(subject, bottom),
     ]
     return Drawing(_WIDTH, bottom + _MARGIN, subject.title, tuple(shapes), PAPER.background)
@@ -163,21 +160,6 @@ def _scale_bar(likeness: Likeness, scale: float, bottom: float) -> Iterator[Shap
 def _round_length(most: float) -> float:
     power = 10.0 ** np.floor(np.log10(most))
     return float(max(step for step in (1, 2, 5) if step * power <= most) * power)
-
-
-def _colour_bar(largest: float, bottom: float) -> Iterator[Shape]:
-    if largest <= 0:
-        return
-    width = 260.0
-    left, top = _MARGIN + _PANEL_WIDTH - width, bottom - 21
-    pitch = width / len(PAPER.axis)
-    for i, colour in enumerate(PAPER.axis):  # each a little wider than its step, or seams would shine through
-        yield Area((rectangle(left + i * pitch, top, min(pitch + 0.6, width - i * pitch), 9),), colour)
-    yield Label(left - 12, top + 9, "clearance radius", 12, PAPER.muted, "end")
-    anchors: tuple[tuple[float, Anchor], ...] = ((0.0, "start"), (0.5, "middle"), (1.0, "end"))
-    for share, anchor in anchors:
-        text = f"{largest * share:.3g}" + (" mm" if share == 1 else "")
-        yield Label(left + share * width, bottom + 3, text, 12, PAPER.muted, anchor)
 
 
 def _charts(subject: _Subject, bottom: float) -> Iterator[Shape]:

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from mashape_cad.views.colours import Theme, runs_by_colour
-from mashape_cad.views.drawing import Area, Circle, Floats, Lines, Placement, Shape
+from mashape_cad.views.drawing import Anchor, Area, Circle, Floats, Label, Lines, Placement, Shape, rectangle
 from mashape_cad.views.likeness import Likeness
 
-__all__ = ["axis_lines", "junctions", "maximal_discs", "outline"]
+__all__ = ["axis_lines", "colour_bar", "junctions", "maximal_discs", "outline"]
 
 _MOST_DISCS = 10
 # Discs below this share of the largest would look like specks.
@@ -18,6 +18,7 @@ _SMALLEST_DISC = 0.18
 # more they seek the tips.
 _SPREAD = 0.2
 _BETWEEN = 8  # places tried for a disc between two points of a branch
+_BAR = 260.0  # width of a colour bar, pixels
 # Radii and distances this close (relative) look the same; light pictures are good to 5e-4 of the size.
 _SAME = 0.01
 
@@ -58,6 +59,21 @@ def junctions(likeness: Likeness, placement: Placement, theme: Theme, radius: fl
         if count > 2:
             x, y = placement.apply(np.array([place]) * size / 1e6)[0].tolist()
             yield Circle(x, y, radius, theme.background, theme.ink, 0.9)
+
+
+def colour_bar(largest: float, right: float, bottom: float, theme: Theme) -> Iterator[Shape]:
+    """Yield what the colours of an axis mean, ending at `right`, its figures' base line just below `bottom`."""
+    if largest <= 0:
+        return
+    left, top = right - _BAR, bottom - 21
+    pitch = _BAR / len(theme.axis)
+    for i, colour in enumerate(theme.axis):  # each a little wider than its step, or seams would shine through
+        yield Area((rectangle(left + i * pitch, top, min(pitch + 0.6, _BAR - i * pitch), 9),), colour)
+    yield Label(left - 12, top + 9, "clearance radius", 12, theme.muted, "end")
+    anchors: tuple[tuple[float, Anchor], ...] = ((0.0, "start"), (0.5, "middle"), (1.0, "end"))
+    for share, anchor in anchors:
+        text = f"{largest * share:.3g}" + (" mm" if share == 1 else "")
+        yield Label(left + share * _BAR, bottom + 3, text, 12, theme.muted, anchor)
 
 
 def _chosen(likeness: Likeness) -> list[Floats]:

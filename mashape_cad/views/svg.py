@@ -14,7 +14,7 @@ def svg(drawing: Drawing) -> str:
     """Return the text of an SVG element; it stands alone as a file, and inside an HTML page."""
     width, height = _number(drawing.width), _number(drawing.height)
     title = printable(drawing.title)
-    size = f'viewBox="0 0 {width} {height}" width="{width}" height="{height}"'
+    size = f'viewBox="0 0 {width} {height}" {_size(drawing, width, height)}'
     spoken = f'role="img" aria-label={quoteattr(title)}'
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" {size} {spoken} font-family="{FONT}">',
@@ -24,6 +24,13 @@ def svg(drawing: Drawing) -> str:
         lines.append(f'<rect width="{width}" height="{height}" fill="{drawing.background}"/>')
     lines += [line for shape in drawing.shapes for line in _element(shape)]
     return "\n".join([*lines, "</svg>"])
+
+
+def _size(drawing: Drawing, width: str, height: str) -> str:
+    if drawing.pixel is not None:
+        # The sides of the view box as they are written, so that both directions have the same scale.
+        width, height = (f"{float(side) * drawing.pixel:.9g}mm" for side in (width, height))
+    return f'width="{width}" height="{height}"'
 
 
 def _element(shape: Shape) -> Iterator[str]:

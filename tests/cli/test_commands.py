@@ -77,7 +77,7 @@ print("loaded:", [name for name in {HEAVY!r} if name in sys.modules], code)
 """
 
 
-@pytest.mark.parametrize("arguments", [["--help"], ["--version"], ["scan", "--help"], ["search", "--help"]])
+@pytest.mark.parametrize("arguments", [["--help"], ["--version"], ["scan", "--help"], ["axis", "--help"]])
 def test_help_loads_nothing_heavy(repository, arguments):
     """Not even numpy and rich: it answers at once."""
     code = _LOADED.replace("'OCP'", "'numpy', 'rich', 'OCP'")
@@ -192,6 +192,10 @@ def test_scan_of_a_file(folder, run):
         ["show", "a.dxf"],
         ["show", "a.dxf", "-o", "a.html"],
         ["certify"],
+        ["axis", "a.dxf"],
+        ["axis", "a.dxf", "-o", "a.png"],
+        ["axis", "a.dxf", "-o", "a.dxf", "--step", "0"],
+        ["axis", "a.dxf", "-o", "a.dxf", "--min-angle", "91"],
         ["unknown"],
     ],
 )
