@@ -10,12 +10,14 @@ import math
 from mashape_cad.medial.compiled import compiled
 from mashape_cad.medial.tour import Tour, site
 
-__all__ = ["TOUCH", "apart", "one_contact"]
+__all__ = ["TOUCH", "apart", "one_contact", "same_foot"]
 
 # A boundary point this close to the circle touches it (sizes of the shape).
 TOUCH = 1e-11
 # Contacts closer than this (sizes) are one: edges so short are none.
 _SAME = 1e-9
+# Feet of one contact that were found in two ways lie no further apart than this, absolutely or times the radius.
+_FOUND_TWICE, _FOUND_TWICE_RELATIVE = 3e-9, 3e-6
 # Contacts further apart than this, times the radius, are two, whatever lies between them.
 _NEAR = 0.02
 # Elements that a stretch between two contacts may run over, and places looked at on each.
@@ -31,12 +33,25 @@ def apart(tour: Tour, e: int, t: float, f: int, s: float) -> float:
 
 
 @compiled
+def same_foot(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy: float, r: float) -> bool:
+    """Whether two places are one foot of a disc, found in two ways."""
+    reach = max(_FOUND_TWICE, _FOUND_TWICE_RELATIVE * r)
+    return _is_one(tour, e, t, f, s, cx, cy, r, reach)
+
+
+@compiled
 def one_contact(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy: float, r: float) -> bool:
-    """Whether two contacts of a disc are one: they coincide, or are near with the boundary on the circle between."""
+    """Whether two places are one contact of a disc that may osculate there."""
+    return _is_one(tour, e, t, f, s, cx, cy, r, max(_FOUND_TWICE, _NEAR * r))
+
+
+@compiled
+def _is_one(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy: float, r: float, reach: float) -> bool:
+    """Whether two places coincide, or are within reach of one another with the boundary on the circle between."""
     distance = apart(tour, e, t, f, s)
     if distance <= _SAME:
         return True
-    if distance > max(_NEAR * r, 3 * _SAME):
+    if distance > reach:
         return False
     return _follows_circle(tour, e, t, f, s, cx, cy, r) or _follows_circle(tour, f, s, e, t, cx, cy, r)
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from mashape_cad.errors import AxisError
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.compiled import compiled
-from mashape_cad.medial.contact import TOUCH, one_contact
+from mashape_cad.medial.contact import TOUCH, one_contact, same_foot
 from mashape_cad.medial.disc import maximal_disc, twin_on_stretch
 from mashape_cad.medial.emptiness import EMPTY, NO_SKIP, nearest_on_stretch, touching
 from mashape_cad.medial.ends import settle_ends
@@ -311,7 +311,7 @@ def _split_by_junction(tour: Tour, faces: Faces, face: Ints) -> Ints:
 def _is_foot(tour: Tour, e: Ints, t: Floats, f: int, s: float, x: float, y: float, r: float) -> bool:
     """Whether a place is one of some feet of a disc."""
     for k in range(len(e)):  # noqa: SIM110  -- compiled code knows no generators
-        if one_contact(tour, f, s, e[k], t[k], x, y, r):
+        if same_foot(tour, f, s, e[k], t[k], x, y, r):
             return True
     return False
 
@@ -332,7 +332,7 @@ def _triple_disc(tour: Tour, faces: Faces, face: Ints, triple: Ints) -> tuple[bo
     for i in range(3):
         t[i] = _inside(t[i], low[i], high[i])
     for i in range(3):
-        if one_contact(tour, e[i], t[i], e[i - 1], t[i - 1], x, y, r) and not _kink_between(tour, e[i], e[i - 1]):
+        if same_foot(tour, e[i], t[i], e[i - 1], t[i - 1], x, y, r) and not _kink_between(tour, e[i], e[i - 1]):
             return False, x, y, r, e, t
     return True, x, y, r, e, t
 

@@ -21,7 +21,7 @@ import numpy as np
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.bezier import evaluate
 from mashape_cad.medial.compiled import compiled
-from mashape_cad.medial.contact import TOUCH, one_contact
+from mashape_cad.medial.contact import TOUCH, same_foot
 from mashape_cad.medial.emptiness import (
     EMPTY,
     NO_SKIP,
@@ -112,7 +112,7 @@ def _with_contacts(
     count = 0
     if twin_e >= 0:
         twin_e, twin_t = normal_form(tour, twin_e, twin_t)
-        if not one_contact(tour, twin_e, twin_t, e, t, cx, cy, r):
+        if not same_foot(tour, twin_e, twin_t, e, t, cx, cy, r):
             out_e[0], out_t[0], count = twin_e, twin_t, 1
     twins = count
     for k in range(found):
@@ -120,7 +120,7 @@ def _with_contacts(
         for i in range(twins):
             known = known or _same_contact(tour, element[k], place_t[k], out_e[i], out_t[i], cx, cy, r)
         for i in range(twins, count):
-            known = known or one_contact(tour, element[k], place_t[k], out_e[i], out_t[i], cx, cy, r)
+            known = known or same_foot(tour, element[k], place_t[k], out_e[i], out_t[i], cx, cy, r)
         if not known:
             out_e[count], out_t[count] = element[k], place_t[k]
             count += 1
@@ -130,7 +130,7 @@ def _with_contacts(
 @compiled
 def _same_contact(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy: float, r: float) -> bool:
     """Whether two places are one contact: they coincide, or the span between them stays on the circle."""
-    if one_contact(tour, e, t, f, s, cx, cy, r):
+    if same_foot(tour, e, t, f, s, cx, cy, r):
         return True
     if e != f and tour.before[f] == e and s == 0.0:
         f, s = e, 1.0

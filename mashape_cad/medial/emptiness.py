@@ -13,7 +13,7 @@ import numpy as np
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.bezier import evaluate, halve, power_distance
 from mashape_cad.medial.compiled import compiled
-from mashape_cad.medial.contact import one_contact
+from mashape_cad.medial.contact import same_foot
 from mashape_cad.medial.tour import Ints, Tour
 
 __all__ = [
@@ -333,7 +333,7 @@ def touching(
                 continue
         known = False
         for i in range(count):
-            known = known or one_contact(tour, element[i], t[i], e, s, cx, cy, r)
+            known = known or same_foot(tour, element[i], t[i], e, s, cx, cy, r)
         if not known:
             element[count], t[count] = e, s
             count += 1

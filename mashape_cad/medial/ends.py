@@ -24,6 +24,7 @@ from mashape_cad.medial.contact import TOUCH, apart, one_contact
 from mashape_cad.medial.emptiness import EMPTY, NO_SKIP, holds_sample, touching
 from mashape_cad.medial.faces import (
     ARC,
+    CONTACTS,
     CORNER,
     DISCS,
     OSCULATING,
@@ -71,21 +72,32 @@ def settle_ends(tour: Tour, faces: Faces) -> bool:
     """Add the discs of all accepted candidates; return whether the domain is one disc, which then is the only one."""
     if _settle_arcs(tour, faces):
         return True
-    covered, filled = np.zeros(len(tour.degree), np.bool_), np.zeros(len(tour.degree), np.bool_)
-    for c in range(faces.used[0]):
-        covered[faces.first_e[c]] = True
+    filled = np.zeros(len(tour.degree), np.bool_)
+    for c in range(faces.used[CONTACTS]):
         # Where a rounded arc meets its neighbour at a kink, the arc's disc already fills that vertex.
         for e, t in ((faces.first_e[c], faces.first_t[c]), (faces.last_e[c], faces.last_t[c])):
             filled[e] = filled[e] or t == 0.0
+    touched = _touched_arcs(tour, faces)
     for e in range(len(tour.degree)):
         if tour.convex[e] and not filled[e]:
             x, y, _, _, _, _ = site(tour, e, 0.0)
             add_contact(faces, add_disc(faces, x, y, 0.0, CORNER, TOUCH), e, 0.0, e, 0.0)
-    element, place_t = curvature_candidates(tour)
+    element, place_t = curvature_candidates(tour, touched)
     for k in range(len(element)):
-        if not covered[element[k]]:
-            _settle_osculating(tour, faces, element[k], place_t[k])
+        _settle_osculating(tour, faces, element[k], place_t[k])
     return False
+
+
+@compiled
+def _touched_arcs(tour: Tour, faces: Faces) -> NDArray[np.bool_]:
+    """Tell of each element whether it is an arc that a settled disc touches as a whole."""
+    touched = np.zeros(len(tour.degree), np.bool_)
+    for c in range(faces.used[CONTACTS]):
+        e = faces.first_e[c]
+        while e != faces.last_e[c]:
+            touched[e] = True
+            e = tour.after[e]
+    return touched
 
 
 @compiled
@@ -189,7 +201,7 @@ def _same_arc_disc(faces: Faces, x: float, y: float, r: float) -> int:
 def _add_points(tour: Tour, faces: Faces, number: int) -> None:
     """Add the contacts of an arc's disc other than its arcs."""
     x, y, r, tol = faces.x[number], faces.y[number], faces.r[number], faces.tol[number]
-    arcs = faces.used[0]
+    arcs = faces.used[CONTACTS]
     first = 0
     while faces.disc[first] != number:
         first += 1
@@ -210,14 +222,17 @@ def _add_points(tour: Tour, faces: Faces, number: int) -> None:
 
 
 @compiled
-def curvature_candidates(tour: Tour) -> tuple[Ints, Floats]:
-    """Return all places where curvature may have a positive local maximum: elements and parameters."""
+def curvature_candidates(tour: Tour, touched: NDArray[np.bool_]) -> tuple[Ints, Floats]:
+    """Return all places where curvature may have a positive local maximum: elements and parameters.
+
+    Elements that are `touched` as a whole by a disc are left out: they are circular, so their maxima are rounding.
+    """
     n = len(tour.degree)
     most = n * (4 * (8 * tour.control.shape[1]) + 9)
     element, place_t, count = np.empty(most, np.int64), np.empty(most), 0
     rises_at_end, falls_at_start = np.ones(n, np.bool_), np.ones(n, np.bool_)
     for e in range(n):
-        if tour.degree[e] < 2 or not math.isnan(tour.round_radius[e]):
+        if tour.degree[e] < 2 or touched[e]:
             continue
         slope = curvature_slope(tour.control[e], tour.degree[e])
         noise = _NOISE * np.abs(slope).max()
@@ -227,14 +242,20 @@ def curvature_candidates(tour: Tour) -> tuple[Ints, Floats]:
                 element[count], place_t[count] = e, t
                 count += 1
     for e in range(n):
-        if _may_peak_at_border(tour, e, rises_at_end, falls_at_start):
+        if _may_peak_at_border(tour, e, touched, rises_at_end, falls_at_start):
             element[count], place_t[count] = e, 0.0
             count += 1
     return element[:count].copy(), place_t[:count].copy()
 
 
 @compiled
-def _may_peak_at_border(tour: Tour, e: int, rises_at_end: NDArray[np.bool_], falls_at_start: NDArray[np.bool_]) -> bool:
+def _may_peak_at_border(
+    tour: Tour,
+    e: int,
+    touched: NDArray[np.bool_],
+    rises_at_end: NDArray[np.bool_],
+    falls_at_start: NDArray[np.bool_],
+) -> bool:
     """Whether curvature may have a maximum at the border before `e`: it jumps, or its slope changes sign."""
     left = tour.before[e]
     if tour.convex[e]:
@@ -244,10 +265,8 @@ def _may_peak_at_border(tour: Tour, e: int, rises_at_end: NDArray[np.bool_], fal
     if most <= _STRAIGHT:
         return False
     same = abs(k_left - k_right) <= _SAME_CURVATURE * max(abs(k_left), abs(k_right))
-    # On an inward arc the whole arc is the candidate.
-    if (same or k_left == most) and not math.isnan(tour.round_radius[left]):
-        return False
-    if (same or k_right == most) and not math.isnan(tour.round_radius[e]):
+    # Of an arc that is touched as a whole no place is a candidate.
+    if ((same or k_left == most) and touched[left]) or ((same or k_right == most) and touched[e]):
         return False
     if same:
         return rises_at_end[left] and falls_at_start[e]
@@ -297,7 +316,7 @@ def _contact_across_border(
 @compiled
 def _repeats(tour: Tour, faces: Faces, x: float, y: float, r: float, e: int, t: float) -> bool:
     """Whether a candidate is a disc that was already found, from the other side of a border or of a symmetry."""
-    for c in range(faces.used[0]):
+    for c in range(faces.used[CONTACTS]):
         k = faces.disc[c]
         if abs(faces.r[k] - r) <= _SAME_DISC and math.hypot(faces.x[k] - x, faces.y[k] - y) <= _SAME_DISC:
             return True

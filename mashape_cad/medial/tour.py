@@ -45,6 +45,8 @@ _CUSP = 1e-7
 ROUND = 1e-9
 # A circle of more than this radius (sizes) is as good as a straight line: its centre would be noise.
 _FLAT = 1e4
+# Spacing of numbers at a profile's place, in its sizes, beyond which its shape is lost in rounding.
+_FAR = 1e-9
 # Loops are closed by moving ends at most this far (sizes); readers join edges far closer. An edge shorter than this has
 # no length.
 _JOINED = 1e-9
@@ -163,6 +165,10 @@ def tour(profile: Profile) -> tuple[Tour, Frame]:
     frame = Frame(np.array([(x0 + x1) / 2, (y0 + y1) / 2]), max(x1 - x0, y1 - y0))
     if not (math.isfinite(frame.size) and frame.size > 0):
         raise InvalidProfileError("degenerate", "the profile has no extent")
+    far = float(np.abs(frame.middle).max())
+    if far * np.finfo(float).eps > _FAR * frame.size:
+        text = f"a profile of {frame.size:.3g} mm lies {far:.3g} mm from the origin, where its digits are lost; move it"
+        raise InvalidProfileError("far-off", text, (float(frame.middle[0]), float(frame.middle[1])))
     flaw, x, y = _prepare(spans, frame.middle[0], frame.middle[1], frame.size)
     if flaw != _SOUND:
         raise _refusal(flaw, x * frame.size + float(frame.middle[0]), y * frame.size + float(frame.middle[1]))
@@ -251,7 +257,7 @@ def _prepare(spans: _Spans, middle_x: float, middle_y: float, size: float) -> tu
         if before[e] != e:
             _straighten(spans, before[e], e)
     for e in range(len(control)):
-        if _turn_between(spans, before[e], e)[0] > math.pi - _CUSP:
+        if abs(_turn_between(spans, before[e], e)[0]) > math.pi - _CUSP:
             return _IS_CUSP, control[e, 0, 0] / control[e, 0, 2], control[e, 0, 1] / control[e, 0, 2]
     return _SOUND, 0.0, 0.0
 

@@ -7,6 +7,7 @@ a contact. Neighbours are compared without the stretches right at their common e
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mashape_cad.errors import InvalidProfileError
 from mashape_cad.geometry.edge import Floats
@@ -18,13 +19,16 @@ __all__ = ["check_simple", "first_contact"]
 
 # Spans that come this close touch (sizes of the shape): ten times what readers leave between joined ends.
 _TOUCH = 1e-9
+# Neighbours that part under a small angle are near one another for long: at some distance from their vertex they touch
+# only if they are closer than this times the distance.
+_PARTING = 1e-7
 # Neighbours may run this far from their common end (sizes) before they are looked at: below, corners and tangent joins
 # look alike to boxes.
 _JOIN = 1e-6
 # Control legs shorter than the root of this (sizes of the shape) have no direction.
 _NO_LEG_SQ = 1e-24
 # Cuts before a pair counts as meeting: overlapping curves would be cut for ever, separate ones take some hundred.
-_CUTS = 100_000
+_CUTS = 1_000_000
 # A curve stands still where the square of its speed is this small against the largest on its span, which is some
 # hundred roundings; so it does where a stretch of parameters this short cannot be told from such a place.
 _NO_SPEED, _SHORTEST = 1e-14, 1e-7
@@ -94,22 +98,24 @@ def _misplaced_hole(tour: Tour) -> tuple[int, bool]:
         while tour.loop[e] != hole:
             e += 1
         x, y, _, _, _, _ = site(tour, e, 0.0)
-        if not _is_inside(tour, 0, x, y):
+        inside = _loops_around(tour, x, y, hole)
+        if not inside[0]:
             return hole, False
         for other in range(1, loops):
-            if other != hole and _is_inside(tour, other, x, y):
+            if inside[other]:
                 return hole, True
     return 0, False
 
 
 @compiled
-def _is_inside(tour: Tour, loop: int, x: float, y: float) -> bool:
-    """Whether a ray from (x, y) to the right crosses a loop an odd number of times."""
-    inside = False
+def _loops_around(tour: Tour, x: float, y: float, own: int) -> NDArray[np.bool_]:
+    """Tell of each loop but a point's own whether a ray from the point crosses it an odd number of times."""
+    inside = np.zeros(tour.loop.max() + 1, np.bool_)
     for e in range(len(tour.degree)):
-        above_or_left = tour.box[e, 1] > y or tour.box[e, 3] < y or tour.box[e, 2] < x
-        if tour.loop[e] == loop and tour.degree[e] > 0 and not above_or_left:
-            inside = inside != _crosses(tour.control[e, : tour.degree[e] + 1], x, y)
+        loop = tour.loop[e]
+        beside = tour.box[e, 1] > y or tour.box[e, 3] < y or tour.box[e, 2] < x
+        if loop != own and tour.degree[e] > 0 and not beside:
+            inside[loop] = inside[loop] != _crosses(tour.control[e, : tour.degree[e] + 1], x, y)
     return inside
 
 
@@ -267,6 +273,8 @@ def pair_contact(first: Floats, second: Floats, head: bool, tail: bool) -> tuple
     x, y : float
         The place. A pair that is not decided within the budget counts as meeting.
     """
+    if len(first) == len(second) == 2 and head != tail:
+        return False, 0.0, 0.0  # straight neighbours that leave their vertex in different directions part for good
     size = 512
     a, b = np.empty((size, len(first), 3)), np.empty((size, len(second), 3))
     flags = np.empty((size, 2), np.bool_)  # whether the pieces still share the common end of head, of tail
@@ -282,7 +290,12 @@ def pair_contact(first: Floats, second: Floats, head: bool, tail: bool) -> tuple
         at_head, at_tail = flags[top, 0], flags[top, 1]
         px0, py0, px1, py1 = _bounds(p)
         qx0, qy0, qx1, qy1 = _bounds(q)
-        if px0 > qx1 + _TOUCH or qx0 > px1 + _TOUCH or py0 > qy1 + _TOUCH or qy0 > py1 + _TOUCH:
+        touch = _TOUCH
+        if head:
+            touch = min(touch, _PARTING * _from_box(first, len(first) - 1, px0, py0, px1, py1))
+        if tail:
+            touch = min(touch, _PARTING * _from_box(first, 0, px0, py0, px1, py1))
+        if px0 > qx1 + touch or qx0 > px1 + touch or py0 > qy1 + touch or qy0 > py1 + touch:
             continue
         p_size, q_size = max(px1 - px0, py1 - py0), max(qx1 - qx0, qy1 - qy0)
         if (at_head or at_tail) and max(p_size, q_size) < _JOIN:
@@ -291,7 +304,7 @@ def pair_contact(first: Floats, second: Floats, head: bool, tail: bool) -> tuple
             continue
         if at_tail and not at_head and _parts_at_once(q, p, q_size, p_size):
             continue
-        if max(p_size, q_size) < _TOUCH or top + 4 > size:
+        if max(p_size, q_size) < touch or top + 4 > size:
             return True, (px0 + px1) / 2, (py0 + py1) / 2
         if p_size >= q_size:
             left, right = _split(p)
@@ -309,6 +322,13 @@ def pair_contact(first: Floats, second: Floats, head: bool, tail: bool) -> tuple
             flags[top + 1, 0], flags[top + 1, 1] = False, at_tail
         top += 2
     return True, (a[0, 0, 0]) / a[0, 0, 2], a[0, 0, 1] / a[0, 0, 2]
+
+
+@compiled
+def _from_box(control: Floats, row: int, x0: float, y0: float, x1: float, y1: float) -> float:
+    """Distance of a control point from a box."""
+    x, y = control[row, 0] / control[row, 2], control[row, 1] / control[row, 2]
+    return math.hypot(max(x0 - x, 0.0, x - x1), max(y0 - y, 0.0, y - y1))
 
 
 @compiled
