@@ -1,18 +1,23 @@
 """The benchmarks run from their command lines; what they measure is read by people, not tested."""
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
+
+import pytest
 
 _BENCH = Path(__file__).parent
 
 
 def _run(script, *arguments):
     command = [sys.executable, str(_BENCH / script), *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, check=False)
+    environment = os.environ | {"PYTHONPATH": str(_BENCH.parent.parent)}
+    return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
 
 
+@pytest.mark.slow
 def test_real_profiles(tmp_path):
     """Two of the samples are certified, the table counts them, and a second run reads nothing again."""
     cache, output = tmp_path / "profiles.pickle", tmp_path / "verdicts.jsonl"
@@ -24,3 +29,24 @@ def test_real_profiles(tmp_path):
     before = cache.stat().st_mtime_ns
     assert _run("real_profiles.py", "--set", "samples", "--limit", 2, "--cache", cache).returncode == 0
     assert cache.stat().st_mtime_ns == before
+
+
+@pytest.mark.slow
+def test_contest(tmp_path):
+    """On one small shape, measured once, ours and the peers all find its three junctions; table and plot are there."""
+    pytest.importorskip("pyvoronoi", reason="of the extra `bench`")
+    arguments = ["--shape", "L", "--repeat", 1, "--counts", 25, "--no-flomat", "-o", tmp_path]
+    done = _run("medial_axis.py", *arguments)
+    assert done.returncode == 0, done.stderr
+    report = (tmp_path / "benchmark.md").read_text(encoding="utf-8")
+    rows = [line.split(" | ") for line in report.splitlines() if line.startswith("| L | ") and line.count("|") == 9]
+    assert {"ours", "pyvoronoi 1e-04", "scipy 1e-03", "OCCT"} <= {row[1] for row in rows}
+    assert all(row[-1].startswith("3 of 3") for row in rows if row[1] != "OCCT")
+    assert (tmp_path / "benchmark.png").stat().st_size > 1000
+
+
+def test_profile_of_a_shape():
+    """Where our time goes is told by function."""
+    done = _run("medial_axis.py", "--profile", "L")
+    assert done.returncode == 0, done.stderr
+    assert "tottime" in done.stdout
