@@ -23,9 +23,14 @@ def timed(function: Callable[[], Result]) -> tuple[Result, float]:
 
 
 def median_ms(function: Callable[[], dict[str, float]], repeats: int) -> dict[str, float]:
-    """Call for CPU times by part several times, once more before; return the median of each part."""
-    start, times = time.monotonic(), list[dict[str, float]]()
-    function()
+    """Call for CPU times by part several times, once more before; return the median of each part.
+
+    A call that takes long needs no warm-up, and is not repeated.
+    """
+    start, times = time.monotonic(), [function()]
+    if time.monotonic() - start > _ENOUGH:
+        return times[0]
+    times.clear()
     with _without_garbage_collection():
         while len(times) < repeats and (not times or time.monotonic() - start < _ENOUGH):
             times.append(function())

@@ -7,6 +7,7 @@ Writes benchmark.md and benchmark.png. Needs the extra `bench`, and node with np
 import argparse
 import cProfile
 import pstats
+import subprocess
 import sys
 import tempfile
 from collections.abc import Sequence
@@ -59,9 +60,10 @@ def _results(options: argparse.Namespace, flomat_folder: Path | None) -> Results
     rows = tuple(contest(names, options.repeat, flomat_folder, _tell))
     growths = tuple(growth(tuple(options.counts), options.repeat, _tell)) if options.counts else ()
     _tell("memory")
-    memory = peak_mb(_LARGEST if _LARGEST in names else names[-1])
+    heaviest = _LARGEST if _LARGEST in names else names[-1]
+    memory = peak_mb(heaviest)
     _tell("")
-    return Results(rows, growths, memory, described())
+    return Results(rows, growths, memory, heaviest, described())
 
 
 def _flomat_folder(options: argparse.Namespace, scratch: Path) -> Path | None:
@@ -71,7 +73,11 @@ def _flomat_folder(options: argparse.Namespace, scratch: Path) -> Path | None:
         print("node and npm are not at hand: FloMat is left out")
         return None
     folder = (options.flomat or scratch).resolve()
-    flomat.install(folder)
+    try:
+        flomat.install(folder)
+    except subprocess.SubprocessError as error:
+        print(f"FloMat could not be installed and is left out: {error}")
+        return None
     return folder
 
 

@@ -48,7 +48,7 @@ def draw(results: Results, path: Path) -> None:
         for way, (colour, mark, size) in _STYLES.items()
     ]
     figure.legend(handles=handles, loc="upper center", ncols=3, fontsize=8, frameon=False)
-    figure.tight_layout(rect=(0, 0, 1, 0.9), h_pad=0.6, w_pad=0.4)
+    figure.tight_layout(rect=(0, 0, 1, 0.91), h_pad=0.5, w_pad=0.4)
     figure.savefig(path, dpi=110)
     plt.close(figure)
 

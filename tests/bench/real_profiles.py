@@ -1,7 +1,7 @@
 """What becomes of every real profile: `python tests/bench/real_profiles.py [--cache FILE] [--set NAME] [--limit N]`.
 
 Computes axis and certificate of all profiles of `samples/`, and of the folders that MASHAPE_RETRIEVAL and
-MASHAPE_CORPUS name, and prints a table of sets, all that was refused, and the slowest.
+MASHAPE_CORPUS name, and prints a table of sets, all that was refused or invalid, and the slowest.
 """
 
 import argparse
@@ -82,13 +82,17 @@ def _report(files: dict[str, list[Path]], entries: dict[Path, Entry], verdicts: 
     for fate in ("invalid", "refused", "crashed"):
         counts = Counter(each.reason for each in verdicts if each.fate == fate)
         yield f"{fate}: " + (", ".join(f"{count} {reason}" for reason, count in counts.most_common()) or "none")
-    yield "\nRefused and crashed:"
-    for each in verdicts:
-        if each.fate in {"refused", "crashed"}:
-            yield f"  {_name(each)}: {each.message}"
+    yield from _listed("\nRefused and crashed:", [each for each in verdicts if each.fate in {"refused", "crashed"}])
+    yield from _listed("\nInvalid:", [each for each in verdicts if each.fate == "invalid"])
     yield f"\nThe {_SLOWEST} slowest:"
     for each in sorted(_valid(verdicts), key=lambda each: -each.cpu_ms)[:_SLOWEST]:
         yield f"  {each.cpu_ms:8.1f} ms  {_name(each)}"
+
+
+def _listed(heading: str, verdicts: list[Verdict]) -> Iterator[str]:
+    yield heading
+    for each in verdicts:
+        yield f"  {_name(each)}: {each.message}"
 
 
 def _figures(name: str, entries: list[Entry], verdicts: list[Verdict]) -> list[str]:
