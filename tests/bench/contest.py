@@ -28,7 +28,7 @@ _PATIENCE = 60.0
 
 
 def contest(names: list[str], repeats: int, flomat_folder: Path | None, tell: Callable[[str], None]) -> Iterator[Row]:
-    """Measure shape by shape; FloMat is left out without a folder where it is installed."""
+    """Measure shape by shape; pyvoronoi and FloMat are left out where they are not installed."""
     for name in names:
         tell(name)
         profile = SHAPES[name]()
@@ -56,7 +56,7 @@ class _Shape:
         return median_ms(lambda: ours.medial_axis(self.profile).parts_ms, self.repeats)
 
     def _polygon_rows(self) -> Iterator[Row]:
-        for error in CHORD_ERRORS:
+        for error in CHORD_ERRORS if boost.is_at_hand() else ():
             polygon = polygonised(self.profile, error * SIZE)
             yield self._diagram_row("pyvoronoi", f"{error:.0e}", polygon, boost.medial_axis)
 

@@ -17,7 +17,7 @@ from contest import contest
 from growth import COUNTS, growth
 from machine import described
 from memory import peak_mb
-from peers import flomat, ours
+from peers import boost, flomat, ours
 from plot import draw
 from report import Results, markdown, targets
 from shapes import SHAPES
@@ -32,6 +32,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.profile:
         _profile(options.profile)
         return 0
+    if not boost.is_at_hand():
+        print("pyvoronoi is not at hand and is left out; install the extra `bench`")
     with tempfile.TemporaryDirectory() as scratch:
         results = _results(options, _flomat_folder(options, Path(scratch)))
     options.output.mkdir(parents=True, exist_ok=True)

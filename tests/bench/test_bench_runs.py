@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -33,14 +34,14 @@ def test_real_profiles(tmp_path):
 
 @pytest.mark.slow
 def test_contest(tmp_path):
-    """On one small shape, measured once, ours and the peers all find its three junctions; table and plot are there."""
-    pytest.importorskip("pyvoronoi", reason="of the extra `bench`")
+    """On one small shape, measured once, all ways find its three junctions; table and plot are there."""
     arguments = ["--shape", "L", "--repeat", 1, "--counts", 25, "--no-flomat", "-o", tmp_path]
     done = _run("medial_axis.py", *arguments)
     assert done.returncode == 0, done.stderr
     report = (tmp_path / "benchmark.md").read_text(encoding="utf-8")
     rows = [line.split(" | ") for line in report.splitlines() if line.startswith("| L | ") and line.count("|") == 9]
-    assert {"ours", "pyvoronoi 1e-04", "scipy 1e-03", "OCCT"} <= {row[1] for row in rows}
+    peers = {"pyvoronoi 1e-04"} if find_spec("pyvoronoi") else set()  # of the extra `bench`
+    assert {"ours", "scipy 1e-03", "OCCT"} | peers <= {row[1] for row in rows}
     assert all(row[-1].startswith("3 of 3") for row in rows if row[1] != "OCCT")
     assert (tmp_path / "benchmark.png").stat().st_size > 1000
 

@@ -4,8 +4,10 @@ Coordinates are 32 bit integers there. Of the diagram's edges we keep those insi
 are not neighbours at a smooth place: the bisector of two neighbouring chords of one curve is no branch.
 """
 
+from importlib.util import find_spec
+from typing import TYPE_CHECKING
+
 import numpy as np
-import pyvoronoi
 from cpu import timed
 from found import Found
 from polygons import Polygon
@@ -13,12 +15,20 @@ from polygons import Polygon
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.tour import Ints
 
-__all__ = ["medial_axis"]
+if TYPE_CHECKING:
+    from pyvoronoi import Pyvoronoi  # of the extra `bench`
+
+__all__ = ["is_at_hand", "medial_axis"]
 
 # Largest coordinate handed over: Boost takes 32 bit integers.
 _LARGEST = 1 << 30
 # Which end of its segment a point cell belongs to, in Boost's words.
 _SEGMENT_END = 2
+
+
+def is_at_hand() -> bool:
+    """Whether pyvoronoi is installed."""
+    return find_spec("pyvoronoi") is not None
 
 
 def medial_axis(polygon: Polygon) -> Found:
@@ -33,15 +43,17 @@ def medial_axis(polygon: Polygon) -> Found:
     return Found(found.points, found.degree, {"construct": construct, "prune": prune})
 
 
-def _constructed(ends: Floats, scale: int) -> pyvoronoi.Pyvoronoi:
-    diagram = pyvoronoi.Pyvoronoi(scale)
+def _constructed(ends: Floats, scale: int) -> "Pyvoronoi":
+    from pyvoronoi import Pyvoronoi
+
+    diagram = Pyvoronoi(scale)
     for segment in ends.tolist():
         diagram.AddSegment(segment)
     diagram.Construct()
     return diagram
 
 
-def _pruned(diagram: pyvoronoi.Pyvoronoi, polygon: Polygon, ends: Floats) -> tuple[Floats, Ints]:
+def _pruned(diagram: "Pyvoronoi", polygon: Polygon, ends: Floats) -> tuple[Floats, Ints]:
     vertices = np.array([(vertex.X, vertex.Y) for vertex in diagram.GetVertices()])
     cells = np.array([(cell.site, cell.contains_point, cell.source_category) for cell in diagram.GetCells()])
     edges = [
@@ -64,7 +76,7 @@ def _pruned(diagram: pyvoronoi.Pyvoronoi, polygon: Polygon, ends: Floats) -> tup
     return points, links
 
 
-def _pairs(diagram: pyvoronoi.Pyvoronoi):
+def _pairs(diagram: "Pyvoronoi"):
     edges = diagram.GetEdges()
     return ((edge, edges[edge.twin]) for k, edge in enumerate(edges) if k < edge.twin)
 
