@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import tomllib
+from itertools import chain
 from pathlib import Path
 
 import pytest
@@ -92,7 +93,7 @@ def test_documents_cited_by_the_code():
 def test_every_dependency_has_its_licence_stated():
     """docs/licences.md knows each package that pyproject.toml asks for."""
     stated = (REPOSITORY / "docs" / "licences.md").read_text(encoding="utf-8")
-    asked = [*PROJECT["dependencies"], *PROJECT["optional-dependencies"]["dev"]]
+    asked = [*PROJECT["dependencies"], *chain(*PROJECT["optional-dependencies"].values())]
     names = [re.match(r"[\w-]+", each).group() for each in asked]
     assert [each for each in names if not re.search(rf"\b{re.escape(each)}\b", stated)] == []
 
