@@ -261,11 +261,16 @@ def twin_on_stretch(tour: Tour, e: int, t: float, f: int, low: float, high: floa
             best_k, best = k, radius
     width = (high - low) / count
     a, b = max(low, low + (best_k - 1) * width), min(high, low + (best_k + 1) * width)
-    s = min(max(low + best_k * width, a), b)
+    s = sampled = min(max(low + best_k * width, a), b)
     for _ in range(80):
         radius, g, slope, _, _ = _descent(tour, px, py, nx, ny, f, s)
         if radius == math.inf:
-            break
+            # A step to where the boundary lies behind p: the minimum is on the side of the best sample.
+            if s == sampled:
+                break
+            a, b = (a, s) if s > sampled else (s, b)
+            s = (a + b) / 2
+            continue
         if g > 0.0:
             b = s
         else:
