@@ -181,7 +181,7 @@ def _within(place: Place, first: Place, last: Place) -> bool:
 def _has_witness(tour: Tour, candidate: Candidate) -> bool:
     """Whether a boundary point lies strictly inside a candidate's disc."""
     depth, skip = (_ARC, candidate.place[0]) if candidate.kind == "arc" else (EMPTY, int(NO_SKIP))
-    return bool(_deepest(tour, candidate.x, candidate.y, candidate.r, skip) < -depth)
+    return bool(_deepest(tour, candidate.x, candidate.y, candidate.r, skip, depth) < -depth)
 
 
 @compiled
@@ -198,9 +198,9 @@ def _turns(tour: Tour) -> Floats:
 
 
 @compiled
-def _deepest(tour: Tour, x: float, y: float, r: float, skip: int) -> float:
-    """Smallest ``|q - c| - r`` over the boundary, where that is at most the width of a touch."""
-    found, _, _, depth = distance_minima(tour, x, y, r, TOUCH, skip, np.inf)
+def _deepest(tour: Tour, x: float, y: float, r: float, skip: int, floor: float) -> float:
+    """Smallest ``|q - c| - r`` over the boundary, where that is at most the width of a touch; or one below -`floor`."""
+    found, _, _, depth = distance_minima(tour, x, y, r, TOUCH, skip, floor)
     deepest = np.inf
     for k in range(found):
         deepest = min(deepest, depth[k])

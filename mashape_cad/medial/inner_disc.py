@@ -21,6 +21,7 @@ __all__ = ["inner_disc_objections"]
 # The disc inside a piece is entered by no more than this, and its feet are off by no more (sizes), beyond what the
 # discs at the ends have on record: the twin of a place close to an osculating end is known no better.
 _INSIDE = 1e-9
+_SHORT = 1e-6  # end discs that differ by less (sizes) have no room between them for a disc that tells more
 _THIN = 1e-2  # feet of a wedge this near one another, in radii, leave too few digits of the radius
 # Newton's method for a disc of given radius: steps, at most; the least stiffness of a foot, which follows a circle of
 # its own curvature without resistance; and the move (parameter) below which feet are at rest.
@@ -30,8 +31,12 @@ _STEPS, _STIFF, _AT_REST = 50, 1e-3, 1e-15
 def inner_disc_objections(axis: MedialAxis) -> Iterator[Objection]:
     """Yield pieces inside which a disc is not empty, or does not touch both stretches."""
     size, pieces = axis.frame.size, axis.pieces
-    found = _inner_discs(axis.tour, pieces.element, pieces.low, pieces.high, axis.discs.radius[pieces.disc] / size)
+    centre, radius = (axis.discs.centre - axis.frame.middle) / size, axis.discs.radius / size
+    ends = np.concatenate([centre, radius[:, None]], axis=1)[pieces.disc]
+    found = _inner_discs(axis.tour, pieces.element, pieces.low, pieces.high, ends)
+    apart = np.abs(ends[:, 0] - ends[:, 1]).sum(axis=1)
     tol = _INSIDE + axis.discs.tolerance[pieces.disc].max(axis=1, initial=0.0) / size
+    tol += np.where(apart < _SHORT, apart, 0.0)
     names = ("is entered by the boundary by", "misses its two stretches by")
     for error, name in zip(found[:, 2:].T, names, strict=True):
         for piece in np.flatnonzero(~(error <= tol)):
@@ -41,29 +46,34 @@ def inner_disc_objections(axis: MedialAxis) -> Iterator[Objection]:
 
 
 @compiled
-def _inner_discs(tour: Tour, element: Ints, low: Floats, high: Floats, radius: Floats) -> Floats:
+def _inner_discs(tour: Tour, element: Ints, low: Floats, high: Floats, ends: Floats) -> Floats:
     """Rows of centre x and y, how deep the boundary enters, and how far the feet are off: (p, 4)."""
     rows = np.empty((len(element), 4))
     for p in range(len(element)):
-        rows[p] = _inner_disc(tour, element[p], low[p], high[p], radius[p, 0], radius[p, 1])
+        rows[p] = _inner_disc(tour, element[p], low[p], high[p], ends[p, 0], ends[p, 1])
     return rows
 
 
 @compiled
-def _inner_disc(tour: Tour, element: Ints, low: Floats, high: Floats, first: float, last: float) -> Floats:
-    """Figures of a disc inside a piece whose end discs have the radii given; see `_inner_discs`.
+def _inner_disc(tour: Tour, element: Ints, low: Floats, high: Floats, first: Floats, last: Floats) -> Floats:
+    """Figures of a disc inside a piece whose end discs (x, y, r) are given; see `_inner_discs`.
 
     It touches the middle of side 0. In a thin wedge, which ends in one convex vertex, it is the one of half the radius:
     where two edges turn by 1e-7 only, feet are too near one another to tell the radius, but the radius tells the feet.
+    Of a piece whose end discs are nearly one, it is the mean of the two.
     """
     e, f = element[0], element[1]
     t = (low[0] + high[0]) / 2
     x, y, r, s = twin_on_stretch(tour, e, t, f, low[1], high[1])
-    if (first == 0.0) != (last == 0.0):
+    widest = max(first[2], last[2])
+    if np.abs(first - last).sum() < _SHORT:
+        x, y, r = (first + last) / 2
+        s = (low[1] + high[1]) / 2
+    elif (first[2] == 0.0) != (last[2] == 0.0):
         px, py, _, _, _, _ = site(tour, e, t)
         qx, qy, _, _, _, _ = site(tour, f, s)
-        if np.hypot(qx - px, qy - py) < _THIN * max(first, last):
-            x, y, r, t, s = _disc_of_radius(tour, e, t, f, (low[1] + high[1]) / 2, max(first, last) / 2)
+        if np.hypot(qx - px, qy - py) < _THIN * widest:
+            x, y, r, t, s = _disc_of_radius(tour, e, t, f, (low[1] + high[1]) / 2, widest / 2)
     found, _, _, depth = distance_minima(tour, x, y, r, 0.0, NO_SKIP, np.inf)
     deepest = 0.0
     for k in range(found):
