@@ -18,7 +18,8 @@ from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.assembly import foot
 from mashape_cad.medial.bezier import evaluate
 from mashape_cad.medial.compiled import compiled
-from mashape_cad.medial.emptiness import EMPTY, NO_SKIP, TOUCH, distance_minima
+from mashape_cad.medial.contact import TOUCH
+from mashape_cad.medial.emptiness import EMPTY, NO_SKIP, distance_minima
 from mashape_cad.medial.ends import curvature_candidates
 from mashape_cad.medial.graph import MedialAxis
 from mashape_cad.medial.objection import Objection
