@@ -39,7 +39,7 @@ class Piece:
         Points of the kernel's curve, ends included.
     """
 
-    __slots__ = ("_adaptor", "_extrema", "control", "is_bezier", "samples")
+    __slots__ = ("_adaptor", "_extrema", "_middle", "control", "is_bezier", "samples")
 
     def __init__(self, adaptor: Geom2dAdaptor_Curve, control: Floats, *, is_bezier: bool) -> None:
         first, last = adaptor.FirstParameter(), adaptor.LastParameter()
@@ -48,31 +48,39 @@ class Piece:
         self.is_bezier = is_bezier
         self.samples = np.array([(point.X(), point.Y()) for point in map(adaptor.Value, parameters)])
         self._adaptor = adaptor  # the extrema only point to it
+        self._middle = (first + last) / 2
         self._extrema = Extrema_ExtPC2d()
         self._extrema.Initialize(adaptor, first, last, _TOLERANCE)
 
     def nearest(self, place: gp_Pnt2d) -> tuple[float, float]:
         """Return distance and parameter of the nearest stationary point that the kernel reports.
 
-        If there is none, the distance is infinite. At the centre of a circle all points are stationary, and the kernel
-        reports that as a failure.
+        If there is none, the distance is infinite and the parameter that of the middle. At the centre of a circle all
+        points are stationary, and the kernel reports that as a failure.
         """
         extrema = self._extrema
         extrema.Perform(place)
         if not extrema.IsDone():
-            return float(np.hypot(*(self.samples[0] - (place.X(), place.Y())))), 0.0
+            return float(np.hypot(*(self.samples[0] - (place.X(), place.Y())))), self._adaptor.FirstParameter()
         square, nearest = np.inf, 0
         for index in range(1, extrema.NbExt() + 1):
             found = extrema.SquareDistance(index)
             if found < square:
                 square, nearest = found, index
-        return square**0.5, extrema.Point(nearest).Parameter() if nearest else 0.5
+        return square**0.5, extrema.Point(nearest).Parameter() if nearest else self._middle
 
-    def nearest_from(self, place: gp_Pnt2d, parameter: float) -> float:
-        """Return the distance of the point that a local search from a parameter leads to, at most that of its start."""
+    def nearest_from(self, place: gp_Pnt2d, parameter: float) -> tuple[float, float]:
+        """Return distance and parameter of the point that a local search leads to, never further than its start."""
         here = place.Distance(self._adaptor.Value(parameter))
         search = Extrema_LocateExtPC2d(place, self._adaptor, parameter, _TOLERANCE)
-        return min(here, search.SquareDistance() ** 0.5) if search.IsDone() else here
+        if search.IsDone() and (found := search.SquareDistance() ** 0.5) < here:
+            return found, search.Point().Parameter()
+        return here, parameter
+
+    def point(self, parameter: float) -> tuple[float, float]:
+        """Return the point at one of the kernel's parameters."""
+        point = self._adaptor.Value(parameter)
+        return point.X(), point.Y()
 
 
 def pieces_of(edge: Edge) -> Iterator[Piece]:

@@ -14,7 +14,7 @@ disc with that radius must be empty (`emptiness`). Where it is not, a local sear
 over, until the disc is empty.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -109,19 +109,46 @@ class DistanceQuery:
         (m,) array
             mm.
         """
-        array = np.asarray(points, float).reshape(-1, 2)
-        rows = max(1, _CHUNK // len(self._pieces))
-        batches = [self._batch(array[start : start + rows]) for start in range(0, len(array), rows)]
+        batches = [self._batch(batch)[0] for batch in self._batches(points)]
         return np.concatenate([np.empty(0), *batches])
 
-    def _batch(self, points: Floats) -> Floats:
+    def nearest(self, points: ArrayLike) -> tuple[Floats, Floats]:
+        """Return the distance of each point, (m,), and the boundary point nearest to it, (m, 2), mm.
+
+        The distance is proven. Where two boundary points are as near, either is given.
+        """
+        distance, nearest = [np.empty(0)], [np.empty((0, 2))]
+        for batch in self._batches(points):
+            best, pairs, contact = self._batch(batch)
+            distance.append(best)
+            nearest.append(self._points_of(batch, pairs, contact, best))
+        return np.concatenate(distance), np.concatenate(nearest)
+
+    def _batches(self, points: ArrayLike) -> Iterator[Floats]:
+        array = np.asarray(points, float).reshape(-1, 2)
+        rows = max(1, _CHUNK // len(self._pieces))
+        return (array[start : start + rows] for start in range(0, len(array), rows))
+
+    def _batch(self, points: Floats) -> tuple[Floats, _Pairs, Floats]:
+        """Return the distances, and for whom it matters the pairs with the kernel's parameters of contact."""
         pairs = self._candidates(points)
         to_ends = np.linalg.norm(points[pairs.row, None] - self._chords[pairs.piece], axis=2)
         best = np.full(len(points), np.inf)
         np.minimum.at(best, pairs.row, to_ends.min(axis=1))
         contact = self._ask(points, pairs, best)
         self._prove(points, pairs, contact, best)
-        return best
+        return best, pairs, contact
+
+    def _points_of(self, points: Floats, pairs: _Pairs, contact: Floats, best: Floats) -> Floats:
+        """Return the nearest of all points of contact and ends of pieces that belong to each point."""
+        kept = np.flatnonzero(pairs.below <= best[pairs.row])
+        row, piece = pairs.row[kept], pairs.piece[kept]
+        touched = [self._pieces[k].point(at) for k, at in zip(piece.tolist(), contact[kept].tolist(), strict=True)]
+        candidates = np.concatenate([self._chords[piece], np.array(touched).reshape(-1, 1, 2)], axis=1).reshape(-1, 2)
+        row = np.repeat(row, 3)
+        order = np.lexsort((np.linalg.norm(candidates - points[row], axis=1), row))
+        first = order[np.searchsorted(row[order], np.arange(len(points)))]
+        return candidates[first]
 
     def _candidates(self, points: Floats) -> _Pairs:
         above, _ = self._tree.query(points)
@@ -160,14 +187,17 @@ class DistanceQuery:
                 control = np.stack([self._pieces[piece].control for piece in pairs.piece[unproven].tolist()])
                 tol = _EPS * (self._size + best[row])
                 at = witnesses(control, points[row], best[row], contact[unproven], tol)
-                unproven = self._lowered(points, pairs, unproven[~np.isnan(at)], at[~np.isnan(at)], best)
+                entered = unproven[~np.isnan(at)]
+                contact[entered] = at[~np.isnan(at)]
+                unproven = self._lowered(points, pairs, entered, contact, best)
 
-    def _lowered(self, points: Floats, pairs: _Pairs, unproven: Indices, at: Floats, best: Floats) -> Indices:
-        """Search nearer points from parameters `at`; return the pairs for which one was found."""
+    def _lowered(self, points: Floats, pairs: _Pairs, unproven: Indices, contact: Floats, best: Floats) -> Indices:
+        """Search nearer points from the parameters of contact; return the pairs for which one was found."""
         lowered = []
-        for pair, parameter in zip(unproven.tolist(), at.tolist(), strict=True):
+        for pair in unproven.tolist():
             row = pairs.row[pair]
-            distance = self._pieces[pairs.piece[pair]].nearest_from(gp_Pnt2d(*points[row].tolist()), parameter)
+            place = gp_Pnt2d(*points[row].tolist())
+            distance, contact[pair] = self._pieces[pairs.piece[pair]].nearest_from(place, float(contact[pair]))
             if distance < best[row]:
                 best[row] = distance
                 lowered.append(pair)

@@ -117,13 +117,20 @@ def records_of(thing: Any, options: PartOptions) -> tuple[ProfileRecord, ...]:
     return tuple(profile_record(profile, options.signature) for profile in profiles)
 
 
-def profile_records(part: Part, options: SignatureOptions) -> Iterator[ProfileRecord]:
-    """Yield what is known of each profile of a part, in order, as soon as it is computed."""
-    return (profile_record(profile, options) for profile in part.profiles)
+def profile_records(part: Part, options: SignatureOptions, stations: int = 0) -> Iterator[ProfileRecord]:
+    """Yield what is known of each profile of a part, in order, as soon as it is computed; see `profile_record`."""
+    return (profile_record(profile, options, stations) for profile in part.profiles)
 
 
-def profile_record(profile: Profile, options: SignatureOptions) -> ProfileRecord:
+def profile_record(profile: Profile, options: SignatureOptions, stations: int = 0) -> ProfileRecord:
     """Return what is known of one profile; if its axis is refused, the record says why.
+
+    Parameters
+    ----------
+    profile : Profile
+    options : SignatureOptions
+    stations : int
+        Places of each span at which the axis is held against its definition; 0 leaves out `completeness_error`.
 
     Raises
     ------
@@ -136,7 +143,7 @@ def profile_record(profile: Profile, options: SignatureOptions) -> ProfileRecord
         return _without_extent(profile, error)
     try:
         axis = medial_axis(profile)
-        certified, vectors = _certified(axis), _vectors(axis, options)
+        certified, vectors = _certified(axis, stations), _vectors(axis, options)
         branches = _branches(axis, float((bounds[1] - bounds[0]).max()))
     except KernelUnavailableError:
         raise
@@ -217,9 +224,8 @@ def _origin(origin: Origin) -> OriginRecord:
     return OriginRecord(origin.layer, origin.handles, origin.face, kept)
 
 
-def _certified(axis: MedialAxis) -> AxisRecord:
-
-    found = certificate(axis)
+def _certified(axis: MedialAxis, stations: int) -> AxisRecord:
+    found = certificate(axis, stations)
     return AxisRecord(
         max_radius=float(found.max_radius_mm),
         branches=int(found.branches),
@@ -230,7 +236,17 @@ def _certified(axis: MedialAxis) -> AxisRecord:
         max_disc_error=float(found.max_disc_error),
         max_foot_error=float(found.max_foot_error),
         ok=bool(found.ok),
+        euler_ok=bool(found.euler_ok),
+        counting_ok=bool(found.counting_ok),
+        area_error=_finite(found.area_error),
+        completeness_error=_finite(found.completeness_error),
+        reason=found.reason or None,
     )
+
+
+def _finite(error: float | None) -> float | None:
+    """Leave out what no number was found for: sidecars hold finite numbers only."""
+    return float(error) if error is not None and math.isfinite(error) else None
 
 
 def _vectors(axis: MedialAxis, options: SignatureOptions) -> Mapping[str, tuple[float, ...]]:

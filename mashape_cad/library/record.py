@@ -106,7 +106,11 @@ class OriginRecord:
 
 @dataclass(frozen=True, slots=True)
 class AxisRecord:
-    """Counts and certificate of a medial axis; the errors are relative to the bounding box's diagonal."""
+    """Counts and certificate of a medial axis, as `mashape_cad.medial.certificate.Certificate` describes them.
+
+    The last five are None where they were not found out: all of them in sidecars of earlier releases,
+    `completeness_error` also by `scan`, and `reason` where nothing stands against the axis.
+    """
 
     max_radius: float
     branches: int
@@ -117,6 +121,11 @@ class AxisRecord:
     max_disc_error: float
     max_foot_error: float
     ok: bool
+    euler_ok: bool | None = None
+    counting_ok: bool | None = None
+    area_error: float | None = None
+    completeness_error: float | None = None
+    reason: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -36,6 +36,7 @@ __all__ = ["maximal_disc", "twin_on_stretch"]
 
 _TINY = 1e-300  # a height below this counts as none: a quotient by it would overflow
 _STRAIGHT = 1e-9  # a curvature below this bounds no disc; _WIDEST does
+_BESIDE = 1e-12  # a sample this near (sizes) is the place itself: a quotient of roundings, as at a cone's vertex
 _WIDEST = 4.0  # radius that no disc inside a shape of size 1 has
 # Steps of the descent: below the first f is flat to rounding and G alone tells whether a step helps; below the second
 # the parameter has settled; the third is the spacing of numbers near 1.
@@ -256,16 +257,22 @@ def twin_on_stretch(tour: Tour, e: int, t: float, f: int, low: float, high: floa
     count = 12
     best_k, best = 0, math.inf
     for k in range(count + 1):
-        radius = _descent(tour, px, py, nx, ny, f, low + (high - low) * k / count)[0]
-        if radius < best:
+        qx, qy, _, _, _, _ = evaluate(tour.control[f], tour.degree[f], low + (high - low) * k / count)
+        radius = _radius(px, py, nx, ny, qx, qy)
+        if radius < best and math.hypot(qx - px, qy - py) > _BESIDE:
             best_k, best = k, radius
     width = (high - low) / count
     a, b = max(low, low + (best_k - 1) * width), min(high, low + (best_k + 1) * width)
-    s = min(max(low + best_k * width, a), b)
+    s = sampled = min(max(low + best_k * width, a), b)
     for _ in range(80):
         radius, g, slope, _, _ = _descent(tour, px, py, nx, ny, f, s)
         if radius == math.inf:
-            break
+            # A step to where the boundary lies behind p: the minimum is on the side of the best sample.
+            if s == sampled:
+                break
+            a, b = (a, s) if s > sampled else (s, b)
+            s = (a + b) / 2
+            continue
         if g > 0.0:
             b = s
         else:

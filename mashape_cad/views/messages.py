@@ -85,6 +85,11 @@ def certificate_message(path: Path, profile: int, record: ProfileRecord) -> str:
         max_disc_error=axis and axis.max_disc_error,
         max_foot_error=axis and axis.max_foot_error,
         ok=axis is not None and axis.ok,
+        certified=axis is not None and axis.ok,
+        euler_ok=axis and axis.euler_ok,
+        counting_ok=axis and axis.counting_ok,
+        area_error=axis and axis.area_error,
+        completeness_error=axis and axis.completeness_error,
         reason=refused.text if refused else _doubt(record),
         refused=refused,
     )
@@ -99,6 +104,8 @@ def _doubt(record: ProfileRecord) -> str | None:
     axis = record.axis
     if axis is None or axis.ok:
         return None
+    if axis.reason:
+        return axis.reason
     if not axis.connected:
         return "the axis is not connected"
     if axis.cycles != record.holes:

@@ -39,7 +39,10 @@ def certificate_line(profile: int, record: ProfileRecord) -> str:
     graph = f"{axis.branches} branches, {axis.junctions} junctions, {axis.ends} ends, {axis.cycles} cycles"
     whole = "connected" if axis.connected else "not connected"
     errors = f"disc error {axis.max_disc_error:.1e}, foot error {axis.max_foot_error:.1e}"
-    return f"{'ok' if axis.ok else 'no'}  {shape}; {graph}, {whole}; {errors}"
+    for name, error in (("area", axis.area_error), ("completeness", axis.completeness_error)):
+        errors += "" if error is None else f", {name} error {error:.1e}"
+    reason = f"; {axis.reason}" if axis.reason else ""
+    return f"{'ok' if axis.ok else 'no'}  {shape}; {graph}, {whole}; {errors}{reason}"
 
 
 def _row(match: Match) -> tuple[str, ...]:

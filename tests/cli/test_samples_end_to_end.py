@@ -99,6 +99,11 @@ def test_certify_is_ok(name, samples, capsys):
         assert each["connected"]
         assert each["cycles"] == each["holes"]
         assert max(each["max_disc_error"], each["max_foot_error"]) <= 1e-7
+        assert each["certified"]
+        assert each["euler_ok"]
+        assert each["counting_ok"]
+        assert max(each["area_error"], each["completeness_error"]) <= 1e-7
+        assert each["reason"] is None
     assert summary["ok"] == summary["profiles"] == len(certificates) > 0
 
 

@@ -150,6 +150,30 @@ def test_no_points_give_no_distances():
     assert distances(_SQUARE, []).shape == (0,)
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_the_nearest_point_lies_on_the_boundary_at_the_distance(seed):
+    """On edges of all kinds, from all over."""
+    rng = np.random.default_rng(seed)
+    edges = random_edges(rng)
+    points = _probes(rng, edges, 200)
+    query = DistanceQuery(edges)
+    distance, nearest = query.nearest(points)
+    assert np.array_equal(distance, query.distances(points))
+    size = np.abs(points).max()
+    assert np.linalg.norm(nearest - points, axis=1) == pytest.approx(distance, abs=1e-9 * size)
+    assert query.distances(nearest).max() <= 1e-12 * size
+
+
+def test_the_nearest_point_of_an_arc_is_not_that_of_its_circle():
+    """An arc that no normal reaches is touched at its end; so is one asked from its centre."""
+    query = DistanceQuery([Arc.of((0, 0), 1.0, np.pi, 0.5)])
+    _, nearest = query.nearest([(2, 0.1), (0, 0)])
+    end = (np.cos(np.pi + 0.5), np.sin(np.pi + 0.5))
+    assert nearest[0] == pytest.approx(end)
+    assert query.distances(nearest) == pytest.approx([0, 0], abs=1e-15)
+    assert query.nearest([])[1].shape == (0, 2)
+
+
 def test_no_edges_are_refused():
     """So are edges without length."""
     with pytest.raises(ValueError, match="at least one edge"):

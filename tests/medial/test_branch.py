@@ -1,10 +1,15 @@
 """Branches as curves, held against the definition of a maximal disc."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from catalogue import KNOWN, NAMED, axis_of, profile_of
 from oracle import check_definition, check_restored
 
+from mashape_cad.geometry.edge import BSpline, Line
+from mashape_cad.geometry.profile import Loop, Profile
+from mashape_cad.medial.axis import medial_axis
 from mashape_cad.medial.branch import contact_before, discs_on_piece, sampled_branches
 from mashape_cad.medial.tour import site
 
@@ -116,3 +121,21 @@ def test_places_on_an_arc_that_is_touched_as_a_whole():
         disc = axis.contacts.disc[contact[0]]
         foot = np.array(site(tour, int(e), 0.5)[:2]) * axis.frame.size + axis.frame.middle
         assert np.hypot(*(foot - axis.discs.centre[disc])) == pytest.approx(axis.discs.radius[disc], rel=1e-12)
+
+
+def test_twins_next_to_a_bent_wedge_are_found():
+    """A step of the search behind the boundary was taken for the end of it: radii of four sizes of the shape came out.
+
+    An outline of a pocket had this wedge; its certificate said that the discs cover 69 mm2 too much.
+    """
+    knots = [0.0] * 4 + [1.0] * 4
+    first = BSpline.of(3, knots, [(0.163, 0.016), (0.157, -0.105), (0.083, -0.07), (0.023, -0.004)])
+    second = BSpline.of(3, knots, [(0.023, -0.004), (-0.25, 0.183), (-0.531, -0.097), (-0.823, -0.069)])
+    around = [(-0.823, -0.069), (-0.823, -1.5), (0.4, -1.5), (0.4, 0.3), (0.163, 0.016)]
+    lines = (Line.of(a, b) for a, b in pairwise(around))
+    axis = medial_axis(Profile.of(Loop((first, second, *lines))))
+    widest = axis.discs.radius.max() / axis.frame.size
+    for piece in range(len(axis.pieces.disc)):
+        for side in (0, 1):
+            t = np.linspace(axis.pieces.low[piece, side], axis.pieces.high[piece, side], 1001)[1:-1]
+            assert discs_on_piece(axis, piece, t, side)[:, 2].max() <= widest + 1e-9

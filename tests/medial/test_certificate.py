@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from catalogue import KNOWN, NAMED, axis_of, profile_of
 
-from mashape_cad.medial.certificate import certificate
+from mashape_cad.medial.certificate import STATIONS, certificate
 from mashape_cad.medial.graph import Branch, MedialAxis, Nodes
 
 
@@ -102,6 +102,34 @@ def test_a_disc_that_is_too_large_or_too_small_is_noticed(name):
             radius = axis.discs.radius.copy()
             radius[disc] += change * axis.profile.diagonal
             assert not certificate(_with_discs(axis, radius=radius)).ok
+
+
+@pytest.mark.parametrize("name", ["ellipse", "disc", "blob with holes", "hole grid"])
+def test_all_figures_of_a_certified_axis(name):
+    """Both names of the verdict, both errors of area and definition, no reason; without stations one of them less."""
+    found, short = certificate(axis_of(name), STATIONS), certificate(axis_of(name))
+    assert (found.ok, found.certified, found.euler_ok, found.counting_ok, found.reason) == (True, True, True, True, "")
+    assert max(found.area_error, found.completeness_error) <= 1e-10
+    assert short.completeness_error is None
+    assert short.area_error == found.area_error
+
+
+def test_an_axis_that_makes_no_sense_is_refused_and_not_computed_with():
+    """Numbers that refer to nothing."""
+    axis = axis_of("ell")
+    disc = axis.contacts.disc.copy()
+    disc[0] = 99
+    found = certificate(replace(axis, contacts=replace(axis.contacts, disc=disc)), STATIONS)
+    assert not found.ok
+    assert found.reason == "pairing: discs of contacts refer to what is not there"
+
+
+def test_an_axis_in_two_parts_says_where_the_other_part_is():
+    """The place is a node that no branch joins to the first one."""
+    axis = _without_branch(axis_of("rectangle"), 0)
+    found = certificate(axis)
+    assert not found.connected
+    assert not found.euler_ok
 
 
 def test_what_the_kernel_does_not_confirm_is_noticed():

@@ -52,6 +52,17 @@ def test_places_are_those_of_edge_and_kernel(name):
             assert curvature / frame.size == pytest.approx(curve.curvature([u])[0], rel=1e-7, abs=1e-9 / frame.size)
 
 
+def test_a_kink_inside_a_spline_is_found_where_it_is():
+    """Its cone has the spline's parameter there, not that of the spline's start: footpoints were 27 mm off for that."""
+    points = [(4, 0), (4, 3), (2, 1), (0, 3), (0, 0)]
+    around = BSpline.of(1, [0, 0, 1, 2, 3, 4, 4], points)
+    profile = Profile.of(Loop((around, Line.of((0, 0), (4, 0)))))
+    laid_out, _ = tour(profile)
+    [cone] = np.flatnonzero(laid_out.degree == 0)
+    number, u = foot(laid_out, (int(cone), 0.5))
+    assert profile.edges[number].point([u])[0] == pytest.approx((2, 1))
+
+
 @pytest.mark.parametrize("name", _ALL)
 def test_inward_normals_point_inwards(name):
     """Off the outer loop and off holes alike: the kernel finds the boundary right behind."""

@@ -11,7 +11,8 @@ from mashape_cad.views.messages import certificate_message, readable
 
 PROMISED = {
     "path", "profile", "edges", "holes", "area_mm2", "perimeter_mm", "max_radius_mm", "branches", "junctions", "ends",
-    "cycles", "connected", "max_disc_error", "max_foot_error", "ok",
+    "cycles", "connected", "max_disc_error", "max_foot_error", "ok", "certified", "euler_ok", "counting_ok",
+    "area_error", "completeness_error", "reason",
 }  # fmt: skip
 
 
@@ -53,6 +54,13 @@ def test_certificate_of_a_refused_profile_says_why():
 def test_certificate_that_is_not_ok_says_what_is_in_doubt(axis, text):
     """An axis that is there, but not proven."""
     assert text in _certificate(replace(profile_record(1), axis=axis))["reason"]
+
+
+def test_a_reason_on_record_is_told():
+    """The certificate's own, with its place."""
+    axis = replace(AXIS, ok=False, reason="candidate: the arc on edge 2 ends no branch, near (1, 2) mm")
+    message = _certificate(replace(profile_record(1), axis=axis))
+    assert (message["certified"], message["reason"]) == (False, axis.reason)
 
 
 def test_paths_are_valid_text():
