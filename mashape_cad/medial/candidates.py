@@ -96,7 +96,8 @@ def touched_arcs(axis: MedialAxis) -> NDArray[np.bool_]:
     contacts = axis.contacts
     for first, last in zip(contacts.first.tolist(), contacts.last.tolist(), strict=True):
         e = int(first[0])
-        while first != last and e != int(last[0]) and not touched[e]:
+        # A contact that begins inside an element is that of an osculating disc which reaches a border.
+        while first != last and first[1] == 0.0 and e != int(last[0]) and not touched[e]:
             touched[e] = True
             e = int(axis.tour.after[e])
     return touched

@@ -6,6 +6,7 @@ programs load the result from a cache beside the source, or in the user's cache 
 """
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import TypeVar, cast
 
 from numba import njit
@@ -14,6 +15,11 @@ __all__ = ["compiled"]
 
 Function = TypeVar("Function", bound=Callable[..., object])
 
+# Of all sources in this folder: name, time of change, size.
+_SOURCES = tuple(
+    (path.name, path.stat().st_mtime, path.stat().st_size) for path in sorted(Path(__file__).parent.glob("*.py"))
+)
+
 
 def compiled(function: Function) -> Function:
     """Compile a function when it is first called.
@@ -21,4 +27,8 @@ def compiled(function: Function) -> Function:
     Division by zero gives an infinity or NaN, as in numpy, and no exception: exceptions would double the code, and what
     stands still is refused beforehand (`validity`).
     """
-    return cast("Function", njit(cache=True, error_model="numpy")(function))
+    dispatcher = njit(cache=True, error_model="numpy")(function)
+    # What is compiled holds copies of the functions it calls, but the cache looks at the caller's own file only: it
+    # would keep old code when another module changes. So it is told to look at all of them.
+    dispatcher._cache._cache_file._source_stamp = _SOURCES  # type: ignore[attr-defined]  # noqa: SLF001
+    return cast("Function", dispatcher)
