@@ -40,7 +40,7 @@ def assembled(profile: Profile, tour: Tour, frame: Frame, faces: Faces) -> Media
 def single_disc(profile: Profile, tour: Tour, frame: Frame, faces: Faces) -> MedialAxis:
     """Make the medial axis of a domain that is one disc: one node, no branch."""
     zero = np.zeros(1, dtype=np.int64)
-    around = np.array([[len(tour.degree), 0.0]])
+    around = np.array([[len(tour.element), 0.0]])
     contacts = Contacts(np.zeros((1, 2)), around, zero, zero - 1, zero)
     discs = _discs(profile, tour, frame, faces, contacts, zero)
     nodes = Nodes(discs.centre, discs.radius, zero, ("disc",), zero)
@@ -51,15 +51,15 @@ def single_disc(profile: Profile, tour: Tour, frame: Frame, faces: Faces) -> Med
 def foot(tour: Tour, place: tuple[int, float]) -> tuple[int, float]:
     """Return a place as the number of an edge of the profile and its parameter."""
     e, t = place
-    return int(tour.edge[e]), float(_edge_parameter(tour, e, t))
+    return int(tour.element[e].edge), float(_edge_parameter(tour, e, t))
 
 
 @compiled
 def _edge_parameter(tour: Tour, e: int, t: float) -> float:
     """Parameter ``u`` of a place on its edge; a cone lies where the span behind it starts."""
-    start, end = tour.edge_from[e], tour.edge_to[e]
-    if tour.angle[e] != 0.0 and 0.0 < t < 1.0:
-        t = _angle_fraction(t, tour.angle[e])
+    start, end = tour.element[e].edge_from, tour.element[e].edge_to
+    if tour.element[e].angle != 0.0 and 0.0 < t < 1.0:
+        t = _angle_fraction(t, tour.element[e].angle)
     return start + t * (end - start)
 
 
@@ -85,11 +85,11 @@ def _pieces(tour: Tour, faces: Faces) -> tuple[Ints, Floats, Floats, Ints, Ints,
     for gap in range(n):
         if piece_of[gap] >= 0:
             continue
-        other = faces.clockwise[faces.after[gap]]
+        other = faces.contact[faces.contact[gap].after].clockwise
         _, element[piece, 0], low[piece, 0], high[piece, 0] = gap_stretch(tour, faces, gap)
         _, element[piece, 1], low[piece, 1], high[piece, 1] = gap_stretch(tour, faces, other)
         # Along the first gap the piece runs from the disc where that gap starts to the disc where it ends.
-        ends[piece, 0], ends[piece, 1] = faces.disc[gap], faces.disc[faces.after[gap]]
+        ends[piece, 0], ends[piece, 1] = faces.contact[gap].disc, faces.contact[faces.contact[gap].after].disc
         piece_of[gap], piece_of[other] = piece, piece
         side_of[other] = 1
         piece += 1
@@ -98,11 +98,11 @@ def _pieces(tour: Tour, faces: Faces) -> tuple[Ints, Floats, Floats, Ints, Ints,
 
 def _contacts(faces: Faces, piece_of: Ints, side_of: Ints) -> Contacts:
     n = int(faces.used[CONTACTS])
-    order = np.lexsort((faces.first_t[:n], faces.first_e[:n]))
+    order = np.lexsort((faces.contact[:n].first_t, faces.contact[:n].first_e))
     return Contacts(
-        np.column_stack([faces.first_e[order].astype(float), faces.first_t[order]]),
-        np.column_stack([faces.last_e[order].astype(float), faces.last_t[order]]),
-        faces.disc[order],
+        np.column_stack([faces.contact[order].first_e.astype(float), faces.contact[order].first_t]),
+        np.column_stack([faces.contact[order].last_e.astype(float), faces.contact[order].last_t]),
+        faces.contact[order].disc,
         piece_of[order],
         side_of[order],
     )
@@ -167,7 +167,7 @@ def _chains(ends: Ints, node_discs: Ints) -> tuple[Ints, Ints, Ints, NDArray[np.
 def _discs(profile: Profile, tour: Tour, frame: Frame, faces: Faces, contacts: Contacts, degree: Ints) -> Discs:
     """Scale discs back to mm and have the kernel measure each."""
     n = int(faces.used[DISCS])
-    x, y, r = faces.x[:n], faces.y[:n], faces.r[:n]
+    x, y, r = faces.settled[:n].x, faces.settled[:n].y, faces.settled[:n].r
     centre = np.column_stack([x, y]) * frame.size + frame.middle
     feet, foot_edge, foot_u = _feet(tour, contacts.first, contacts.last, contacts.disc, n)
     return Discs(
@@ -177,7 +177,7 @@ def _discs(profile: Profile, tour: Tour, frame: Frame, faces: Faces, contacts: C
         feet * frame.size + frame.middle,
         foot_edge,
         foot_u,
-        faces.tol[:n] * frame.size,
+        faces.settled[:n].tol * frame.size,
         _clearance(profile, tour, frame, faces, centre),
     )
 
@@ -185,14 +185,14 @@ def _discs(profile: Profile, tour: Tour, frame: Frame, faces: Faces, contacts: C
 def _clearance(profile: Profile, tour: Tour, frame: Frame, faces: Faces, centre: Floats) -> Floats:
     """Return the kernel's distance from each centre to the boundary, mm."""
     n = int(faces.used[DISCS])
-    row, element = spans_near(tour, faces.x[:n], faces.y[:n], faces.r[:n], faces.tol[:n] + _NEAR)
+    row, element = spans_near(tour, faces.settled[:n], _NEAR)
     spans = np.flatnonzero(tour.degree > 0)
-    piece = np.zeros(len(tour.degree), dtype=np.int64)
+    piece = np.zeros(len(tour.element), dtype=np.int64)
     piece[spans] = np.arange(len(spans))
-    breaks = np.split(tour.edge_to[spans], np.flatnonzero(np.diff(tour.edge[spans])) + 1)
+    breaks = np.split(tour.element[spans].edge_to, np.flatnonzero(np.diff(tour.element[spans].edge)) + 1)
     edges = [(edge, np.append(0.0, ends)) for edge, ends in zip(profile.edges, breaks, strict=True)]
     found = clearances(edges, centre, row, piece[element])
-    doubtful = np.flatnonzero(found > (faces.r[:n] + faces.tol[:n] + _NEAR) * frame.size)
+    doubtful = np.flatnonzero(found > (faces.settled[:n].r + faces.settled[:n].tol + _NEAR) * frame.size)
     if len(doubtful):
         found[doubtful] = DistanceQuery(profile).distances(centre[doubtful])
     return found
@@ -207,8 +207,8 @@ def _feet(tour: Tour, first: Floats, last: Floats, disc: Ints, discs: int) -> tu
         d = disc[c]
         for k in range(seen[d], 2):
             e, t = (int(last[c, 0]), last[c, 1]) if k == 1 and seen[d] == 0 else (int(first[c, 0]), first[c, 1])
-            e = e if e < len(tour.degree) else 0
+            e = e if e < len(tour.element) else 0
             point[d, k, 0], point[d, k, 1], _, _, _, _ = site(tour, e, t)
-            edge[d, k], u[d, k] = tour.edge[e], _edge_parameter(tour, e, t)
+            edge[d, k], u[d, k] = tour.element[e].edge, _edge_parameter(tour, e, t)
         seen[d] += 1
     return point, edge, u

@@ -78,12 +78,12 @@ def candidates(tour: Tour, touched: NDArray[np.bool_]) -> Iterator[Candidate]:
         x, y, *_ = site(tour, e, 0.0)
         yield Candidate("convex vertex", (e, 0.0), x, y, 0.0)
     for run in _arcs(tour):
-        (x, y), r = tour.round_centre[run].mean(axis=0).tolist(), float(tour.round_radius[run].mean())
+        (x, y), r = tour.round_centre[run].mean(axis=0).tolist(), float(tour.element[run].round_radius.mean())
         yield Candidate("arc", (run[0], 0.0), x, y, r)
     for e, t in zip(*(array.tolist() for array in curvature_candidates(tour, touched)), strict=True):
         x, y, nx, ny, curvature, _ = site(tour, e, t)
         if t == 0.0:
-            left = site(tour, int(tour.before[e]), 1.0)
+            left = site(tour, int(tour.element[e].before), 1.0)
             if left[4] > curvature:
                 x, y, nx, ny, curvature, _ = left
         if curvature > _STRAIGHT:
@@ -99,18 +99,18 @@ def touched_arcs(axis: MedialAxis) -> NDArray[np.bool_]:
         # A contact that begins inside an element is that of an osculating disc which reaches a border.
         while first != last and first[1] == 0.0 and e != int(last[0]) and not touched[e]:
             touched[e] = True
-            e = int(axis.tour.after[e])
+            e = int(axis.tour.element[e].after)
     return touched
 
 
 def _arcs(tour: Tour) -> Iterator[list[int]]:
     """Yield the longest runs of neighbouring spans on one inward circle; one all round a loop has any start."""
-    joined = [_is_joined(tour, int(tour.before[e]), e) for e in range(len(tour.degree))]
+    joined = [_is_joined(tour, int(tour.element[e].before), e) for e in range(len(tour.element))]
     seen: set[int] = set()
     for first in sorted(np.flatnonzero(~np.isnan(tour.round_radius)).tolist(), key=lambda e: joined[e]):
         if first not in seen:
             run = [first]
-            while joined[after := int(tour.after[run[-1]])] and after not in {first, *seen}:
+            while joined[after := int(tour.element[run[-1]].after)] and after not in {first, *seen}:
                 run.append(after)
             seen.update(run)
             yield run
@@ -118,9 +118,12 @@ def _arcs(tour: Tour) -> Iterator[list[int]]:
 
 def _is_joined(tour: Tour, before: int, e: int) -> bool:
     """Whether a span goes on with the circle of the one before it."""
-    if tour.convex[e] or np.isnan(tour.round_radius[[before, e]]).any():
+    if tour.element[e].convex or np.isnan(tour.element[[before, e]].round_radius).any():
         return False
-    off = np.append(tour.round_centre[before] - tour.round_centre[e], tour.round_radius[before] - tour.round_radius[e])
+    off = np.append(
+        tour.round_centre[before] - tour.round_centre[e],
+        tour.element[before].round_radius - tour.element[e].round_radius,
+    )
     return bool(np.abs(off).max() <= _SAME_CIRCLE)
 
 
@@ -184,12 +187,12 @@ def _touches(axis: MedialAxis, contact: int, candidate: Candidate) -> bool:
     """Whether a contact is at a candidate's place."""
     contacts, tour = axis.contacts, axis.tour
     (e, t), (f, s) = contacts.first[contact].tolist(), contacts.last[contact].tolist()
-    same_loop = tour.loop[int(e)] == tour.loop[candidate.place[0]]
+    same_loop = tour.element[int(e)].loop == tour.element[candidate.place[0]].loop
     if same_loop and (e, t) != (f, s) and _within(candidate.place, (int(e), t), (int(f), s)):
         return True
     x, y, *_ = site(tour, *candidate.place)
     near = _SAME_CONTACT * candidate.r + _SAME_DISC
-    feet = [site(tour, int(element), at) for element, at in ((e, t), (f, s)) if element < len(tour.degree)]
+    feet = [site(tour, int(element), at) for element, at in ((e, t), (f, s)) if element < len(tour.element)]
     return any(np.hypot(x - foot[0], y - foot[1]) <= near for foot in feet)
 
 
@@ -209,12 +212,12 @@ def _has_witness(tour: Tour, candidate: Candidate) -> bool:
 @compiled
 def _turns(tour: Tour) -> Floats:
     """Angle by which the tangent turns at the start of each element, radians; 0 at cones, which have turned already."""
-    turns = np.zeros(len(tour.degree))
+    turns = np.zeros(len(tour.element))
     for e in range(len(turns)):
-        left = tour.before[e]
-        if tour.degree[e] > 0 and tour.degree[left] > 0:
-            _, _, ux, uy, _, _ = evaluate(tour.control[left], tour.degree[left], 1.0)
-            _, _, vx, vy, _, _ = evaluate(tour.control[e], tour.degree[e], 0.0)
+        left = tour.element[e].before
+        if tour.element[e].degree > 0 and tour.element[left].degree > 0:
+            _, _, ux, uy, _, _ = evaluate(tour.control[left], tour.element[left].degree, 1.0)
+            _, _, vx, vy, _, _ = evaluate(tour.control[e], tour.element[e].degree, 0.0)
             turns[e] = np.arctan2(ux * vy - uy * vx, ux * vx + uy * vy)
     return turns
 

@@ -101,15 +101,19 @@ def _contact_errors(
             along, across = _off_normal(tour, e, t, x, y, r)
             off[d], slant[d] = max(off[d], along), max(slant[d], across)
             continue
-        for _ in range(len(tour.degree)):
+        for _ in range(len(tour.element)):
             # An arc: the ends and the middle of each of its elements, up to the border where it ends.
             to = s if e == f and s > t else 1.0
             for place in (t, (t + to) / 2, to):
                 along, across = _off_normal(tour, e, place, x, y, r)
                 off[d], slant[d] = max(off[d], along), max(slant[d], across)
-            if to < 1.0 or (tour.after[e] == f and s == 0.0) or (f == len(tour.degree) and tour.after[e] == 0):
+            if (
+                to < 1.0
+                or (tour.element[e].after == f and s == 0.0)
+                or (f == len(tour.element) and tour.element[e].after == 0)
+            ):
                 break
-            e, t = tour.after[e], 0.0
+            e, t = tour.element[e].after, 0.0
     return off, slant
 
 
@@ -121,8 +125,8 @@ def _off_normal(tour: Tour, e: int, t: float, x: float, y: float, r: float) -> t
     vertex whose disc has radius 0.
     """
     along, across = _beside(tour, e, t, x, y, r)
-    if t == 0.0 and tour.degree[e] > 0 and tour.degree[tour.before[e]] > 0:
-        other_along, other_across = _beside(tour, tour.before[e], 1.0, x, y, r)
+    if t == 0.0 and tour.element[e].degree > 0 and tour.element[tour.element[e].before].degree > 0:
+        other_along, other_across = _beside(tour, tour.element[e].before, 1.0, x, y, r)
         if max(other_along, other_across) < max(along, across):
             return other_along, other_across
     return along, across

@@ -68,5 +68,5 @@ def _follows_circle(tour: Tour, e: int, t: float, f: int, s: float, cx: float, c
                 return False
         if last:
             return True
-        e, t = tour.after[e], 0.0
+        e, t = tour.element[e].after, 0.0
     return False

@@ -114,10 +114,10 @@ def _no_feet(n: int) -> _Feet:
 @compiled
 def _cut_on(tour: Tour, faces: Faces) -> tuple[int, float, float]:
     """Cut from the first discs to the last; where a face resists, its place is returned."""
-    for e in range(len(tour.degree)):
+    for e in range(len(tour.element)):
         _add_station(tour, faces, e, 0.0)
-    most = len(faces.disc) // 3 - 2
-    pending, age = np.empty(len(faces.disc), np.int64), np.empty(len(faces.disc), np.int64)
+    most = len(faces.settled) - 2
+    pending, age = np.empty(len(faces.contact), np.int64), np.empty(len(faces.contact), np.int64)
     top = 0
     for gap in distinct_faces(faces, np.arange(faces.used[CONTACTS])):
         pending[top], age[top] = gap, 0
@@ -171,7 +171,7 @@ def _resolved(tour: Tour, faces: Faces, face: Ints, rounds: int) -> tuple[bool, 
         if on_one:
             _add_station(tour, faces, e, low + _CUT_AT * (high - low))
         else:
-            _add_station(tour, faces, tour.after[e], 0.0)
+            _add_station(tour, faces, tour.element[e].after, 0.0)
     if faces.used[CONTACTS] > known:
         return True, rounds + 1, np.concatenate((face, np.arange(known, faces.used[CONTACTS])))
     parts = _split_strip(tour, faces, face) if len(face) == 2 else _split_by_corner(tour, faces, face)
@@ -211,7 +211,7 @@ def _fit(tour: Tour, faces: Faces, face: Ints, e: int, t: float, feet: _Feet) ->
         on_one, f, low, high = stretch(tour, faces, face[k])
         if not on_one:
             continue
-        s = 1.0 if t == 0.0 and f == tour.before[e] and f != e else t
+        s = 1.0 if t == 0.0 and f == tour.element[e].before and f != e else t
         if (f == e or s == 1.0) and low - _SLACK <= s <= high + _SLACK:
             if not feet.known[k]:
                 feet.known[k], feet.e[k], feet.t[k] = True, f, _inside(s, low, high)
@@ -238,7 +238,10 @@ def _split(
     """
     for gap in face:
         number = corner(faces, gap)
-        if math.hypot(faces.x[number] - x, faces.y[number] - y) + abs(faces.r[number] - r) <= _SAME_DISC:
+        if (
+            math.hypot(faces.settled[number].x - x, faces.settled[number].y - y) + abs(faces.settled[number].r - r)
+            <= _SAME_DISC
+        ):
             parts = _completed(tour, faces, face, gap, feet)
             if len(parts) > 0:
                 return parts
@@ -254,18 +257,20 @@ def _completed(tour: Tour, faces: Faces, face: Ints, before: int, feet: _Feet) -
     number = corner(faces, before)
     parts, count = np.empty(2 * len(face), np.int64), 0
     for k in range(len(face)):
-        if not feet.known[k] or _touches(tour, faces, faces.after[before], feet.e[k], feet.t[k]):
+        if not feet.known[k] or _touches(tour, faces, faces.contact[before].after, feet.e[k], feet.t[k]):
             continue
         part = cycle(faces, face[k])
         n = len(part)
         for i in range(1, n - 1):
             # Gaps beside the corner touch the disc already.
-            if corner(faces, part[i]) == number and corner(faces, part[0]) != number != faces.disc[part[0]]:
+            if corner(faces, part[i]) == number and corner(faces, part[0]) != number != faces.contact[part[0]].disc:
                 parts[count], parts[count + 1] = face[k], attach(faces, part[i], face[k], feet.e[k], feet.t[k])
                 count += 2
                 x, y, _, _, _, _ = site(tour, feet.e[k], feet.t[k])
-                off = abs(math.hypot(x - faces.x[number], y - faces.y[number]) - faces.r[number])
-                faces.tol[number] = max(faces.tol[number], off)
+                off = abs(
+                    math.hypot(x - faces.settled[number].x, y - faces.settled[number].y) - faces.settled[number].r
+                )
+                faces.settled[number].tol = max(faces.settled[number].tol, off)
                 break
     return parts[:count]
 
@@ -273,12 +278,15 @@ def _completed(tour: Tour, faces: Faces, face: Ints, before: int, feet: _Feet) -
 @compiled
 def _touches(tour: Tour, faces: Faces, contact: int, e: int, t: float) -> bool:
     """Whether a place is a contact already of the disc that touches at `contact`."""
-    d, c = faces.disc[contact], contact
+    d, c = faces.contact[contact].disc, contact
     while True:
-        for f, s in ((faces.first_e[c], faces.first_t[c]), (faces.last_e[c], faces.last_t[c])):
-            if one_contact(tour, e, t, f, s, faces.x[d], faces.y[d], faces.r[d]):
+        for f, s in (
+            (faces.contact[c].first_e, faces.contact[c].first_t),
+            (faces.contact[c].last_e, faces.contact[c].last_t),
+        ):
+            if one_contact(tour, e, t, f, s, faces.settled[d].x, faces.settled[d].y, faces.settled[d].r):
                 return True
-        c = faces.clockwise[c]
+        c = faces.contact[c].clockwise
         if c == contact:
             return False
 
@@ -350,13 +358,13 @@ def _disc_near_kink(
     n = len(face)
     for i in range(3):
         j = (i + 1) % 3
-        if not (tour.convex[e[j]] and tour.after[e[i]] == e[j] and high[i] == 1.0 and low[j] == 0.0):
+        if not (tour.element[e[j]].convex and tour.element[e[i]].after == e[j] and high[i] == 1.0 and low[j] == 0.0):
             continue
         _, _, ax, ay, _, speed = site(tour, e[i], 1.0)
         _, _, bx, by, _, next_speed = site(tour, e[j], 0.0)
         half = math.atan2(ax * by - ay * bx, ax * bx + ay * by) / 2
         for k in range(min(n, 8)):
-            radius = faces.r[corner(faces, face[(triple[0] - 1 + k) % n])]
+            radius = faces.settled[corner(faces, face[(triple[0] - 1 + k) % n])].r
             for share in _SHARES:
                 step = share * radius * half
                 if step <= 0.0:
@@ -372,7 +380,9 @@ def _disc_near_kink(
 @compiled
 def _kink_between(tour: Tour, e: int, f: int) -> bool:
     """Whether a convex vertex separates two neighbouring elements: then feet on them may be very near."""
-    return (tour.after[e] == f and tour.convex[f]) or (tour.after[f] == e and tour.convex[e])
+    return (tour.element[e].after == f and tour.element[f].convex) or (
+        tour.element[f].after == e and tour.element[e].convex
+    )
 
 
 @compiled
@@ -397,12 +407,12 @@ def _split_by_corner(tour: Tour, faces: Faces, face: Ints) -> Ints:
     least, best = _STAR, -1
     for gap in face:
         d = corner(faces, gap)
-        error = _feet_on_all(tour, faces, face, faces.x[d], faces.y[d], faces.r[d], least)[1]
-        if error < least and faces.r[d] > 0.0 and _extent(faces, face) < _STAR:
+        error = _feet_on_all(tour, faces, face, faces.settled[d].x, faces.settled[d].y, faces.settled[d].r, least)[1]
+        if error < least and faces.settled[d].r > 0.0 and _extent(faces, face) < _STAR:
             least, best = error, d
     if best < 0:
         return face[:0]
-    x, y, r = faces.x[best], faces.y[best], faces.r[best]
+    x, y, r = faces.settled[best].x, faces.settled[best].y, faces.settled[best].r
     feet, error = _feet_on_all(tour, faces, face, x, y, r, _STAR)
     tol = max(error, TOUCH, -touching(tour, x, y, r, TOUCH, NO_SKIP, math.inf)[0])
     return insert(faces, add_disc(faces, x, y, r, CLUSTER, tol), face, feet.e, feet.t)
@@ -418,9 +428,9 @@ def _split_strip(tour: Tour, faces: Faces, face: Ints) -> Ints:
     for k in range(2):
         on_one, e, _, _ = stretch(tour, faces, face[k])
         is_one, f, low, high = stretch(tour, faces, face[1 - k])
-        if on_one or not is_one or gap_at(tour, faces, tour.after[e], 0.0) != face[k]:
+        if on_one or not is_one or gap_at(tour, faces, tour.element[e].after, 0.0) != face[k]:
             continue
-        e = tour.after[e]
+        e = tour.element[e].after
         x, y, r, t = twin_on_stretch(tour, e, 0.0, f, low, high)
         tol = max(TOUCH, -touching(tour, x, y, r, TOUCH, NO_SKIP, math.inf)[0])
         if tol > _CLUSTER or r <= 0.0:
@@ -451,7 +461,7 @@ def _extent(faces: Faces, face: Ints) -> float:
     """Largest distance between the centres at a face's corners: how big its part of the axis can be."""
     x0, x1, y0, y1 = math.inf, -math.inf, math.inf, -math.inf
     for gap in face:
-        x, y = faces.x[corner(faces, gap)], faces.y[corner(faces, gap)]
+        x, y = faces.settled[corner(faces, gap)].x, faces.settled[corner(faces, gap)].y
         x0, x1, y0, y1 = min(x0, x), max(x1, x), min(y0, y), max(y1, y)
     return max(x1 - x0, y1 - y0)
 
@@ -461,6 +471,6 @@ def _middle(faces: Faces, face: Ints) -> tuple[float, float]:
     """Mean of the centres at a face's corners."""
     x = y = 0.0
     for gap in face:
-        x += faces.x[corner(faces, gap)] / len(face)
-        y += faces.y[corner(faces, gap)] / len(face)
+        x += faces.settled[corner(faces, gap)].x / len(face)
+        y += faces.settled[corner(faces, gap)].y / len(face)
     return x, y

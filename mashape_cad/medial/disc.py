@@ -26,6 +26,7 @@ from mashape_cad.medial.emptiness import (
     EMPTY,
     NO_SKIP,
     cone_turn,
+    contact_at_border,
     distance_minima,
     normal_form,
     touching,
@@ -34,6 +35,9 @@ from mashape_cad.medial.tour import Ints, Tour, site
 
 __all__ = ["maximal_disc", "twin_on_stretch"]
 
+# Samples on a stretch whose best one starts the search for a twin. Towards a convex vertex they crowd by this factor
+# from one to the next, down to a millionth of a millionth of the stretch.
+_SAMPLES, _SAMPLES_CROWDED, _CROWDING = 12, 48, 0.25
 _TINY = 1e-300  # a height below this counts as none: a quotient by it would overflow
 _STRAIGHT = 1e-9  # a curvature below this bounds no disc; _WIDEST does
 _BESIDE = 1e-12  # a sample this near (sizes) is the place itself: a quotient of roundings, as at a cone's vertex
@@ -58,9 +62,9 @@ def maximal_disc(tour: Tour, e: int, t: float) -> tuple[float, float, float, boo
         The other contacts, the twin first; none if the disc osculates at the place and touches nothing else.
     """
     px, py, nx, ny, curvature, _ = site(tour, e, t)
-    if t == 0.0 and tour.degree[e] > 0:
-        left = tour.before[e]
-        if tour.degree[left] > 0:
+    if t == 0.0 and tour.element[e].degree > 0:
+        left = tour.element[e].before
+        if tour.element[left].degree > 0:
             curvature = max(curvature, site(tour, left, 1.0)[4])
     r = 1.0 / curvature if curvature > _STRAIGHT else _WIDEST
     start_e, start_t = _best_sample(tour, px, py, nx, ny, r)
@@ -90,16 +94,16 @@ def _best_sample(tour: Tour, px: float, py: float, nx: float, ny: float, r: floa
     An element whose box the disc found so far does not meet cannot make it smaller.
     """
     best_e, best_t = -1, 0.0
-    for e in range(len(tour.degree)):
+    for e in range(len(tour.element)):
         cx, cy = px + r * nx, py + r * ny
-        bx = max(tour.box[e, 0] - cx, 0.0, cx - tour.box[e, 2])
-        by = max(tour.box[e, 1] - cy, 0.0, cy - tour.box[e, 3])
+        bx = max(tour.element[e].x0 - cx, 0.0, cx - tour.element[e].x1)
+        by = max(tour.element[e].y0 - cy, 0.0, cy - tour.element[e].y1)
         if bx * bx + by * by > r * r:
             continue
-        for k in range(tour.sample_from[e], tour.sample_from[e + 1]):
+        for k in range(tour.element[e].sample_from, tour.element[e].sample_to):
             f = _radius(px, py, nx, ny, tour.sample[k, 0], tour.sample[k, 1])
             if f < r:
-                r, best_e, best_t = f, e, tour.sample_t[k]
+                r, best_e, best_t = f, e, tour.sample[k, 2]
     return best_e, best_t
 
 
@@ -113,6 +117,11 @@ def _with_contacts(
     count = 0
     if twin_e >= 0:
         twin_e, twin_t = normal_form(tour, twin_e, twin_t)
+        if twin_t == 0.0 and tour.element[twin_e].degree > 0:
+            # The descent may end on a span beside a cone, where the twin is the cone.
+            at_e, at_t, is_contact = contact_at_border(tour, twin_e, True, cx, cy)
+            if is_contact:
+                twin_e, twin_t = at_e, at_t
         if not same_foot(tour, twin_e, twin_t, e, t, cx, cy, r):
             out_e[0], out_t[0], count = twin_e, twin_t, 1
     twins = count
@@ -133,11 +142,11 @@ def _same_contact(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy:
     """Whether two places are one contact: they coincide, or the span between them stays on the circle."""
     if same_foot(tour, e, t, f, s, cx, cy, r):
         return True
-    if e != f and tour.before[f] == e and s == 0.0:
+    if e != f and tour.element[f].before == e and s == 0.0:
         f, s = e, 1.0
-    elif e != f and tour.before[e] == f and t == 0.0:
+    elif e != f and tour.element[e].before == f and t == 0.0:
         e, t = f, 1.0
-    if e != f or tour.degree[e] == 0:
+    if e != f or tour.element[e].degree == 0:
         return False
     for k in range(1, 8):
         x, y, _, _, _, _ = site(tour, e, t + (s - t) * k / 8)
@@ -149,13 +158,13 @@ def _same_contact(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy:
 @compiled
 def _polish(tour: Tour, px: float, py: float, nx: float, ny: float, e: int, t: float) -> tuple[float, int, float]:
     """Descend f(p, q) from q = (e, t) to a local minimum; Newton on G, halved while f does not fall."""
-    if tour.degree[e] == 0:
-        other = tour.after[e]
+    if tour.element[e].degree == 0:
+        other = tour.element[e].after
         f, g, _, _, _ = _descent(tour, px, py, nx, ny, other, 0.0)
         if f < math.inf and g < 0.0:
             e, t = other, 0.0
         else:
-            e, t = tour.before[e], 1.0
+            e, t = tour.element[e].before, 1.0
     f, g, slope, speed, _ = _descent(tour, px, py, nx, ny, e, t)
     for k in range(200):
         if f == math.inf:
@@ -195,7 +204,7 @@ def _descent(
     tour: Tour, px: float, py: float, nx: float, ny: float, e: int, t: float
 ) -> tuple[float, float, float, float, float]:
     """Return f(p, q), its slope's sign function G = q'.(q - c), an estimate of G', and the speed at q = (e, t)."""
-    qx, qy, tx, ty, sx, sy = evaluate(tour.control[e], tour.degree[e], t)
+    qx, qy, tx, ty, sx, sy = evaluate(tour.control[e], tour.element[e].degree, t)
     f = _radius(px, py, nx, ny, qx, qy)
     if f == math.inf:
         return f, 0.0, 1.0, 1.0, 0.0
@@ -217,11 +226,11 @@ def _neighbour(
     moved : bool
         Whether the descent goes on, on the span returned; if not, the place returned is the minimum.
     """
-    other = tour.after[e] if forward else tour.before[e]
+    other = tour.element[e].after if forward else tour.element[e].before
     cone = -1
-    if tour.degree[other] == 0:
+    if tour.element[other].degree == 0:
         cone = other
-        other = tour.after[other] if forward else tour.before[other]
+        other = tour.element[other].after if forward else tour.element[other].before
     start = 0.0 if forward else 1.0
     f, g, _, _, _ = _descent(tour, px, py, nx, ny, other, start)
     if f < math.inf and (g < 0.0 if forward else g > 0.0):
@@ -243,6 +252,18 @@ def _radius(px: float, py: float, nx: float, ny: float, qx: float, qy: float) ->
 
 
 @compiled
+def _share(k: int, crowded: bool) -> float:
+    """Share of a stretch at which sample k lies: at equal steps, or crowded towards both ends by powers."""
+    if not crowded:
+        return k / _SAMPLES
+    half = _SAMPLES_CROWDED // 2
+    steps = half - 4
+    j = k if k <= half else _SAMPLES_CROWDED - k
+    share = 0.0 if j == 0 else 0.25 * _CROWDING ** (steps - j) if j <= steps else 0.25 + 0.25 * (j - steps) / 4
+    return share if k <= half else 1.0 - share
+
+
+@compiled
 def twin_on_stretch(tour: Tour, e: int, t: float, f: int, low: float, high: float) -> tuple[float, float, float, float]:
     """Return the disc at (e, t) whose twin is known to lie on a stretch: x, y, r and the twin's parameter.
 
@@ -250,20 +271,22 @@ def twin_on_stretch(tour: Tour, e: int, t: float, f: int, low: float, high: floa
     """
     px, py, nx, ny, curvature, _ = site(tour, e, t)
     limit = 1.0 / curvature if curvature > _STRAIGHT else _WIDEST
-    if tour.degree[f] == 0:
+    if tour.element[f].degree == 0:
         r = min(limit, _radius(px, py, nx, ny, tour.control[f, 0, 0], tour.control[f, 0, 1]))
         x, y = px + r * nx, py + r * ny
         return x, y, r, min(max(cone_turn(tour, f, x, y), low), high)
-    count = 12
+    # Next to a convex vertex the twin is as near to it as the place is: samples crowd there.
+    crowded = (low == 0.0 and tour.element[f].convex) or (high == 1.0 and tour.element[tour.element[f].after].convex)
+    count = _SAMPLES_CROWDED if crowded else _SAMPLES
     best_k, best = 0, math.inf
     for k in range(count + 1):
-        qx, qy, _, _, _, _ = evaluate(tour.control[f], tour.degree[f], low + (high - low) * k / count)
+        qx, qy, _, _, _, _ = evaluate(tour.control[f], tour.element[f].degree, low + (high - low) * _share(k, crowded))
         radius = _radius(px, py, nx, ny, qx, qy)
         if radius < best and math.hypot(qx - px, qy - py) > _BESIDE:
             best_k, best = k, radius
-    width = (high - low) / count
-    a, b = max(low, low + (best_k - 1) * width), min(high, low + (best_k + 1) * width)
-    s = sampled = min(max(low + best_k * width, a), b)
+    a = low + (high - low) * _share(max(best_k - 1, 0), crowded)
+    b = low + (high - low) * _share(min(best_k + 1, count), crowded)
+    s = sampled = min(max(low + (high - low) * _share(best_k, crowded), a), b)
     for _ in range(80):
         radius, g, slope, _, _ = _descent(tour, px, py, nx, ny, f, s)
         if radius == math.inf:

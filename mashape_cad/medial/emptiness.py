@@ -14,12 +14,13 @@ from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.bezier import evaluate, halve, power_distance
 from mashape_cad.medial.compiled import compiled
 from mashape_cad.medial.contact import same_foot
-from mashape_cad.medial.tour import Ints, Tour
+from mashape_cad.medial.tour import Ints, Records, Tour
 
 __all__ = [
     "EMPTY",
     "NO_SKIP",
     "cone_turn",
+    "contact_at_border",
     "distance_minima",
     "holds_sample",
     "nearest_on_stretch",
@@ -54,7 +55,7 @@ def distance_minima(
     Parameters
     ----------
     skip : int
-        Circle number (see `Tour.round_centre`) of elements to leave out: an element index whose circle's spans are the
+        Circle number (see `Tour.element`) of elements to leave out: an element index whose circle's spans are the
         disc's own contact; -1 for none.
     floor : float
         The search ends with the first place deeper inside the disc than this.
@@ -67,17 +68,17 @@ def distance_minima(
     depth : array
         ``|q - c| - r``: negative inside the disc.
     """
-    n = len(tour.degree)
+    n = len(tour.element)
     element, place_t, depth = np.empty(2 * n + 64, np.int64), np.empty(2 * n + 64), np.empty(2 * n + 64)
     count = _NONE_YET
     reach_sq = (r + tol) * (r + tol)
     for e in range(n):
-        bx = max(tour.box[e, 0] - cx, 0.0, cx - tour.box[e, 2])
-        by = max(tour.box[e, 1] - cy, 0.0, cy - tour.box[e, 3])
-        if bx * bx + by * by > reach_sq or tour.degree[e] == 0 or (skip >= 0 and _on_one_circle(tour, e, skip)):
+        bx = max(tour.element[e].x0 - cx, 0.0, cx - tour.element[e].x1)
+        by = max(tour.element[e].y0 - cy, 0.0, cy - tour.element[e].y1)
+        if bx * bx + by * by > reach_sq or tour.element[e].degree == 0 or (skip >= 0 and _on_one_circle(tour, e, skip)):
             continue
         known = count
-        if tour.degree[e] == 1:
+        if tour.element[e].degree == 1:
             count = _minimum_on_line(tour, e, cx, cy, r, tol, element, place_t, depth, count)
         else:
             count = _minima_on_span(tour, e, cx, cy, r, tol, element, place_t, depth, count)
@@ -90,9 +91,9 @@ def distance_minima(
 @compiled
 def _on_one_circle(tour: Tour, e: int, f: int) -> bool:
     return (
-        abs(tour.round_radius[e] - tour.round_radius[f]) <= _SAME_CIRCLE
+        abs(tour.element[e].round_radius - tour.element[f].round_radius) <= _SAME_CIRCLE
         and math.hypot(
-            tour.round_centre[e, 0] - tour.round_centre[f, 0], tour.round_centre[e, 1] - tour.round_centre[f, 1]
+            tour.element[e].round_x - tour.element[f].round_x, tour.element[e].round_y - tour.element[f].round_y
         )
         <= _SAME_CIRCLE
     )
@@ -104,12 +105,12 @@ def holds_sample(tour: Tour, cx: float, cy: float, r: float, tol: float) -> bool
     inner = r - tol
     if inner <= 0.0:
         return False
-    for e in range(len(tour.degree)):
-        bx = max(tour.box[e, 0] - cx, 0.0, cx - tour.box[e, 2])
-        by = max(tour.box[e, 1] - cy, 0.0, cy - tour.box[e, 3])
+    for e in range(len(tour.element)):
+        bx = max(tour.element[e].x0 - cx, 0.0, cx - tour.element[e].x1)
+        by = max(tour.element[e].y0 - cy, 0.0, cy - tour.element[e].y1)
         if bx * bx + by * by >= inner * inner:
             continue
-        for k in range(tour.sample_from[e], tour.sample_from[e + 1]):
+        for k in range(tour.element[e].sample_from, tour.element[e].sample_to):
             dx, dy = tour.sample[k, 0] - cx, tour.sample[k, 1] - cy
             if dx * dx + dy * dy < inner * inner:
                 return True
@@ -117,17 +118,25 @@ def holds_sample(tour: Tour, cx: float, cy: float, r: float, tol: float) -> bool
 
 
 @compiled
-def spans_near(tour: Tour, x: Floats, y: Floats, r: Floats, slack: Floats) -> tuple[Ints, Ints]:
-    """Return for discs all spans with a point that is no further than `slack` outside.
+def spans_near(tour: Tour, settled: Records, slack: float) -> tuple[Ints, Ints]:
+    """Return for discs all spans with a point that is no further outside than its tolerance and `slack`.
+
+    Parameters
+    ----------
+    settled : record array
+        Discs, see `mashape_cad.medial.faces.Faces`.
+    slack : float
 
     Returns
     -------
     disc, element : arrays
         Pairs, disc by disc.
     """
-    disc, element, count = np.empty(64 + 4 * len(x), np.int64), np.empty(64 + 4 * len(x), np.int64), 0
-    for d in range(len(x)):
-        found, near, _, _ = distance_minima(tour, x[d], y[d], r[d], slack[d], NO_SKIP, math.inf)
+    n = len(settled)
+    disc, element, count = np.empty(64 + 4 * n, np.int64), np.empty(64 + 4 * n, np.int64), 0
+    for d in range(n):
+        row = settled[d]
+        found, near, _, _ = distance_minima(tour, row.x, row.y, row.r, row.tol + slack, NO_SKIP, math.inf)
         for k in range(found):
             if k > 0 and near[k] == near[k - 1]:
                 continue
@@ -180,7 +189,7 @@ def _minima_on_span(  # noqa: PLR0912  -- the loop over what is left of a span i
     count: int,
 ) -> int:
     """Append the minima on one span; see `distance_minima`."""
-    degree = tour.degree[e]
+    degree = tour.element[e].degree
     # The power with respect to the grown disc: positive means farther than r + tol.
     coefficients = power_distance(tour.control[e], degree, cx, cy, r + tol)
     if _smallest(coefficients) > 0.0:
@@ -286,7 +295,7 @@ def _span_minimum(tour: Tour, e: int, low: float, high: float, cx: float, cy: fl
     t = (low + high) / 2
     a, b = low, high
     for _ in range(60):
-        x, y, dx, dy, ddx, ddy = evaluate(tour.control[e], tour.degree[e], t)
+        x, y, dx, dy, ddx, ddy = evaluate(tour.control[e], tour.element[e].degree, t)
         g = dx * (x - cx) + dy * (y - cy)
         if g > 0:
             b = t
@@ -328,7 +337,7 @@ def touching(
         e, s = element[k], t[k]
         if s <= _SNAP or s >= 1.0 - _SNAP:
             # The end of a span: a contact only where the boundary beyond it does not come nearer still.
-            e, s, keep = _contact_at_border(tour, e, s <= _SNAP, cx, cy)
+            e, s, keep = contact_at_border(tour, e, s <= _SNAP, cx, cy)
             if not keep:
                 continue
         known = False
@@ -341,20 +350,20 @@ def touching(
 
 
 @compiled
-def _contact_at_border(tour: Tour, e: int, at_start: bool, cx: float, cy: float) -> tuple[int, float, bool]:
+def contact_at_border(tour: Tour, e: int, at_start: bool, cx: float, cy: float) -> tuple[int, float, bool]:
     """Decide whether a disc around c that reaches a span's end touches there, and as which place."""
-    other = tour.before[e] if at_start else tour.after[e]
-    if tour.degree[other] == 0:
+    other = tour.element[e].before if at_start else tour.element[e].after
+    if tour.element[other].degree == 0:
         s = cone_turn(tour, other, cx, cy)
-        angle = abs(tour.cone[other, 1])
+        angle = abs(tour.element[other].cone_turn)
         if -1e-9 / angle <= s <= 1.0 + 1e-9 / angle:
             e, s = normal_form(tour, other, min(max(s, 0.0), 1.0))
             return e, s, True
         return e, 0.0, False
     border = e if at_start else other
-    x, y, dx, dy, _, _ = evaluate(tour.control[border], tour.degree[border], 0.0)
-    left = tour.before[border]
-    _, _, ux, uy, _, _ = evaluate(tour.control[left], tour.degree[left], 1.0)
+    x, y, dx, dy, _, _ = evaluate(tour.control[border], tour.element[border].degree, 0.0)
+    left = tour.element[border].before
+    _, _, ux, uy, _, _ = evaluate(tour.control[left], tour.element[left].degree, 1.0)
     reach = math.hypot(x - cx, y - cy)
     rising_right = (dx * (x - cx) + dy * (y - cy)) / math.hypot(dx, dy) > -1e-6 * reach
     falling_left = (ux * (x - cx) + uy * (y - cy)) / math.hypot(ux, uy) < 1e-6 * reach
@@ -364,19 +373,19 @@ def _contact_at_border(tour: Tour, e: int, at_start: bool, cx: float, cy: float)
 @compiled
 def nearest_on_stretch(tour: Tour, e: int, low: float, high: float, cx: float, cy: float) -> tuple[float, float]:
     """Return the place of a stretch that is nearest to c, and its distance."""
-    if tour.degree[e] == 0:
+    if tour.element[e].degree == 0:
         s = min(max(cone_turn(tour, e, cx, cy), low), high)
         return s, math.hypot(tour.control[e, 0, 0] - cx, tour.control[e, 0, 1] - cy)
     count = 9
     best_k, best = 0, math.inf
     for k in range(count):
-        x, y, _, _, _, _ = evaluate(tour.control[e], tour.degree[e], low + (high - low) * k / (count - 1))
+        x, y, _, _, _, _ = evaluate(tour.control[e], tour.element[e].degree, low + (high - low) * k / (count - 1))
         d = math.hypot(x - cx, y - cy)
         if d < best:
             best_k, best = k, d
     width = (high - low) / (count - 1)
     t = _span_minimum(tour, e, max(low, low + (best_k - 1) * width), min(high, low + (best_k + 1) * width), cx, cy)
-    x, y, _, _, _, _ = evaluate(tour.control[e], tour.degree[e], t)
+    x, y, _, _, _, _ = evaluate(tour.control[e], tour.element[e].degree, t)
     return t, math.hypot(x - cx, y - cy)
 
 
@@ -384,15 +393,15 @@ def nearest_on_stretch(tour: Tour, e: int, low: float, high: float, cx: float, c
 def normal_form(tour: Tour, e: int, t: float) -> tuple[int, float]:
     """Snap to borders, which belong to the element that starts there."""
     if t >= 1.0 - _SNAP:
-        return tour.after[e], 0.0
+        return tour.element[e].after, 0.0
     return e, 0.0 if t <= _SNAP else t
 
 
 @compiled
 def cone_turn(tour: Tour, e: int, cx: float, cy: float) -> float:
     """Parameter on a cone of the direction from its vertex to a centre; outside [0, 1] if not in the cone."""
-    angle = math.atan2(cy - tour.control[e, 0, 1], cx - tour.control[e, 0, 0]) - tour.cone[e, 0]
-    middle = tour.cone[e, 1] / 2
+    angle = math.atan2(cy - tour.control[e, 0, 1], cx - tour.control[e, 0, 0]) - tour.element[e].cone_angle
+    middle = tour.element[e].cone_turn / 2
     turned = angle - middle
     angle = middle + turned - 2 * math.pi * math.floor(turned / (2 * math.pi) + 0.5)
-    return angle / tour.cone[e, 1]
+    return angle / tour.element[e].cone_turn

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mashape_cad.geometry.edge import Floats
-from mashape_cad.medial.bezier import curvature_sign, curvature_slope, halves, value
+from mashape_cad.medial.bezier import curvature_sign, curvature_slope, halve, value
 from mashape_cad.medial.compiled import compiled
 from mashape_cad.medial.contact import TOUCH, apart, one_contact
 from mashape_cad.medial.emptiness import EMPTY, NO_SKIP, holds_sample, touching
@@ -54,6 +54,7 @@ _SAME_FOOT = 1e-6
 _NOISE = 1e-11
 _STRAIGHT = 1e-9  # a curvature below this (one over sizes) has no maximum that matters
 _SAME_CURVATURE = 1e-9  # curvatures that agree this well, relatively, do not jump
+_STRETCHES = 128  # of parameters that may wait at once
 _SHORTEST = 1e-9  # stretches of parameters this short are not halved any more: what changes sign there is one root
 
 
@@ -72,14 +73,17 @@ def settle_ends(tour: Tour, faces: Faces) -> bool:
     """Add the discs of all accepted candidates; return whether the domain is one disc, which then is the only one."""
     if _settle_arcs(tour, faces):
         return True
-    filled = np.zeros(len(tour.degree), np.bool_)
+    filled = np.zeros(len(tour.element), np.bool_)
     for c in range(faces.used[CONTACTS]):
         # Where a rounded arc meets its neighbour at a kink, the arc's disc already fills that vertex.
-        for e, t in ((faces.first_e[c], faces.first_t[c]), (faces.last_e[c], faces.last_t[c])):
+        for e, t in (
+            (faces.contact[c].first_e, faces.contact[c].first_t),
+            (faces.contact[c].last_e, faces.contact[c].last_t),
+        ):
             filled[e] = filled[e] or t == 0.0
     touched = _touched_arcs(tour, faces)
-    for e in range(len(tour.degree)):
-        if tour.convex[e] and not filled[e]:
+    for e in range(len(tour.element)):
+        if tour.element[e].convex and not filled[e]:
             x, y, _, _, _, _ = site(tour, e, 0.0)
             add_contact(faces, add_disc(faces, x, y, 0.0, CORNER, TOUCH), e, 0.0, e, 0.0)
     element, place_t = curvature_candidates(tour, touched)
@@ -91,12 +95,12 @@ def settle_ends(tour: Tour, faces: Faces) -> bool:
 @compiled
 def _touched_arcs(tour: Tour, faces: Faces) -> NDArray[np.bool_]:
     """Tell of each element whether it is an arc that a settled disc touches as a whole."""
-    touched = np.zeros(len(tour.degree), np.bool_)
+    touched = np.zeros(len(tour.element), np.bool_)
     for c in range(faces.used[CONTACTS]):
-        e = faces.first_e[c]
-        while e != faces.last_e[c]:
+        e = faces.contact[c].first_e
+        while e != faces.contact[c].last_e:
             touched[e] = True
-            e = tour.after[e]
+            e = tour.element[e].after
     return touched
 
 
@@ -104,7 +108,7 @@ def _touched_arcs(tour: Tour, faces: Faces) -> NDArray[np.bool_]:
 def _settle_arcs(tour: Tour, faces: Faces) -> bool:
     """Add the empty discs that fill arcs, those of one circle as one; return whether one disc is the whole domain."""
     joined = _joined_arcs(tour)
-    for first in range(len(tour.degree)):
+    for first in range(len(tour.element)):
         if not _starts_run(tour, joined, first):
             continue
         x, y, r, last, all_round = _run(tour, joined, first)
@@ -121,10 +125,10 @@ def _settle_arcs(tour: Tour, faces: Faces) -> bool:
             return True
         number = _same_arc_disc(faces, x, y, r)
         if number >= 0:
-            faces.tol[number] = max(faces.tol[number], tol)
+            faces.settled[number].tol = max(faces.settled[number].tol, tol)
         else:
             number = add_disc(faces, x, y, r, ARC, tol)
-        add_contact(faces, number, first, 0.0, tour.after[last], 0.0)
+        add_contact(faces, number, first, 0.0, tour.element[last].after, 0.0)
     for number in range(faces.used[DISCS]):
         _add_points(tour, faces, number)
     return False
@@ -133,28 +137,26 @@ def _settle_arcs(tour: Tour, faces: Faces) -> bool:
 @compiled
 def _joined_arcs(tour: Tour) -> NDArray[np.bool_]:
     """Tell of each element whether it goes on with the inward arc of the element before it."""
-    joined = np.zeros(len(tour.degree), np.bool_)
-    for e in range(len(tour.degree)):
-        b = tour.before[e]
-        if math.isnan(tour.round_radius[e]) or math.isnan(tour.round_radius[b]) or tour.convex[e]:
+    joined = np.zeros(len(tour.element), np.bool_)
+    for e in range(len(tour.element)):
+        here, before = tour.element[e], tour.element[tour.element[e].before]
+        if math.isnan(here.round_radius) or math.isnan(before.round_radius) or here.convex:
             continue
-        shift = math.hypot(
-            tour.round_centre[b, 0] - tour.round_centre[e, 0], tour.round_centre[b, 1] - tour.round_centre[e, 1]
-        )
-        joined[e] = shift <= _SAME_CIRCLE and abs(tour.round_radius[b] - tour.round_radius[e]) <= _SAME_CIRCLE
+        shift = math.hypot(before.round_x - here.round_x, before.round_y - here.round_y)
+        joined[e] = shift <= _SAME_CIRCLE and abs(before.round_radius - here.round_radius) <= _SAME_CIRCLE
     return joined
 
 
 @compiled
 def _starts_run(tour: Tour, joined: NDArray[np.bool_], e: int) -> bool:
     """Whether a run of arcs on one circle starts at an element; one all round starts at its lowest element."""
-    if math.isnan(tour.round_radius[e]):
+    if math.isnan(tour.element[e].round_radius):
         return False
     if not joined[e]:
         return True
-    at = tour.after[e]
+    at = tour.element[e].after
     while at > e and joined[at]:
-        at = tour.after[at]
+        at = tour.element[at].after
     return at == e
 
 
@@ -164,15 +166,15 @@ def _run(tour: Tour, joined: NDArray[np.bool_], first: int) -> tuple[float, floa
     x = y = r = 0.0
     count, last = 0, first
     while True:
-        x += tour.round_centre[last, 0]
-        y += tour.round_centre[last, 1]
-        r += tour.round_radius[last]
+        x += tour.element[last].round_x
+        y += tour.element[last].round_y
+        r += tour.element[last].round_radius
         count += 1
-        after = tour.after[last]
+        after = tour.element[last].after
         if after == first or not joined[after]:
             break
         last = after
-    return x / count, y / count, r / count, last, tour.after[last] == first and joined[first]
+    return x / count, y / count, r / count, last, tour.element[last].after == first and joined[first]
 
 
 @compiled
@@ -185,14 +187,17 @@ def _off_circle(tour: Tour, first: int, last: int, x: float, y: float, r: float)
             worst = max(worst, abs(math.hypot(qx - x, qy - y) - r))
         if e == last:
             return worst
-        e = tour.after[e]
+        e = tour.element[e].after
 
 
 @compiled
 def _same_arc_disc(faces: Faces, x: float, y: float, r: float) -> int:
     """Return the disc of another arc on the same circle; -1 if there is none."""
     for k in range(faces.used[DISCS]):
-        if math.hypot(faces.x[k] - x, faces.y[k] - y) <= _SAME_CIRCLE and abs(faces.r[k] - r) <= _SAME_CIRCLE:
+        if (
+            math.hypot(faces.settled[k].x - x, faces.settled[k].y - y) <= _SAME_CIRCLE
+            and abs(faces.settled[k].r - r) <= _SAME_CIRCLE
+        ):
             return k
     return -1
 
@@ -200,22 +205,22 @@ def _same_arc_disc(faces: Faces, x: float, y: float, r: float) -> int:
 @compiled
 def _add_points(tour: Tour, faces: Faces, number: int) -> None:
     """Add the contacts of an arc's disc other than its arcs."""
-    x, y, r, tol = faces.x[number], faces.y[number], faces.r[number], faces.tol[number]
+    x, y, r, tol = faces.settled[number].x, faces.settled[number].y, faces.settled[number].r, faces.settled[number].tol
     arcs = faces.used[CONTACTS]
     first = 0
-    while faces.disc[first] != number:
+    while faces.contact[first].disc != number:
         first += 1
-    _, count, element, t = touching(tour, x, y, r, 2 * tol, faces.first_e[first], math.inf)
+    _, count, element, t = touching(tour, x, y, r, 2 * tol, faces.contact[first].first_e, math.inf)
     # What touches one arc's disc at the end of an arc is that arc.
     clear = max(math.sqrt(16 * r * tol), 3e-6 * r, _ARC_END)
     for k in range(count):
         is_new = True
         for c in range(arcs):
-            if faces.disc[c] == number:
+            if faces.contact[c].disc == number:
                 is_new = (
                     is_new
-                    and apart(tour, element[k], t[k], faces.first_e[c], faces.first_t[c]) > clear
-                    and apart(tour, element[k], t[k], faces.last_e[c], faces.last_t[c]) > clear
+                    and apart(tour, element[k], t[k], faces.contact[c].first_e, faces.contact[c].first_t) > clear
+                    and apart(tour, element[k], t[k], faces.contact[c].last_e, faces.contact[c].last_t) > clear
                 )
         if is_new:
             add_contact(faces, number, element[k], t[k], element[k], t[k])
@@ -227,17 +232,17 @@ def curvature_candidates(tour: Tour, touched: NDArray[np.bool_]) -> tuple[Ints, 
 
     Elements that are `touched` as a whole by a disc are left out: they are circular, so their maxima are rounding.
     """
-    n = len(tour.degree)
+    n = len(tour.element)
     most = n * (4 * (8 * tour.control.shape[1]) + 9)
     element, place_t, count = np.empty(most, np.int64), np.empty(most), 0
     rises_at_end, falls_at_start = np.ones(n, np.bool_), np.ones(n, np.bool_)
     for e in range(n):
-        if tour.degree[e] < 2 or touched[e]:
+        if tour.element[e].degree < 2 or touched[e]:
             continue
-        slope = curvature_slope(tour.control[e], tour.degree[e])
+        slope = curvature_slope(tour.control[e], tour.element[e].degree)
         noise = _NOISE * np.abs(slope).max()
         rises_at_end[e], falls_at_start[e] = slope[-1] >= -noise, slope[0] <= noise
-        if curvature_sign(tour.control[e], tour.degree[e]).max() > 0.0:
+        if curvature_sign(tour.control[e], tour.element[e].degree).max() > 0.0:
             for t in falling_roots(slope):
                 element[count], place_t[count] = e, t
                 count += 1
@@ -257,8 +262,8 @@ def _may_peak_at_border(
     falls_at_start: NDArray[np.bool_],
 ) -> bool:
     """Whether curvature may have a maximum at the border before `e`: it jumps, or its slope changes sign."""
-    left = tour.before[e]
-    if tour.convex[e]:
+    left = tour.element[e].before
+    if tour.element[e].convex:
         return False
     k_left, k_right = site(tour, left, 1.0)[4], site(tour, e, 0.0)[4]
     most = max(k_left, k_right)
@@ -278,7 +283,7 @@ def _settle_osculating(tour: Tour, faces: Faces, e: int, t: float) -> None:
     """Add the disc of curvature at a place if it is empty, and not there yet."""
     x, y, nx, ny, curvature, _ = site(tour, e, t)
     if t == 0.0:
-        lx, ly, lnx, lny, left_curvature, _ = site(tour, tour.before[e], 1.0)
+        lx, ly, lnx, lny, left_curvature, _ = site(tour, tour.element[e].before, 1.0)
         if left_curvature > curvature:
             x, y, nx, ny, curvature = lx, ly, lnx, lny, left_curvature
     if curvature <= _STRAIGHT:
@@ -306,8 +311,9 @@ def _contact_across_border(
 ) -> tuple[int, float, int, float]:
     """Return the contact of an osculating disc, with the nearest border if the disc follows the boundary so far."""
     if t > 0.0:
-        for border in (e, tour.after[e]):
-            smooth = not tour.convex[border] and tour.degree[border] != 0 and tour.degree[tour.before[border]] != 0
+        for border in (e, tour.element[e].after):
+            row = tour.element[border]
+            smooth = not row.convex and row.degree != 0 and tour.element[row.before].degree != 0
             if smooth and one_contact(tour, e, t, border, 0.0, cx, cy, r):
                 return (border, 0.0, e, t) if border == e else (e, t, border, 0.0)
     return e, t, e, t
@@ -317,14 +323,17 @@ def _contact_across_border(
 def _repeats(tour: Tour, faces: Faces, x: float, y: float, r: float, e: int, t: float) -> bool:
     """Whether a candidate is a disc that was already found, from the other side of a border or of a symmetry."""
     for c in range(faces.used[CONTACTS]):
-        k = faces.disc[c]
-        if abs(faces.r[k] - r) <= _SAME_DISC and math.hypot(faces.x[k] - x, faces.y[k] - y) <= _SAME_DISC:
+        k = faces.contact[c].disc
+        if (
+            abs(faces.settled[k].r - r) <= _SAME_DISC
+            and math.hypot(faces.settled[k].x - x, faces.settled[k].y - y) <= _SAME_DISC
+        ):
             return True
         if (
-            faces.kind[k] == OSCULATING
-            and (c == 0 or faces.disc[c - 1] != k)  # the first contact of a disc is where it osculates
-            and apart(tour, e, t, faces.first_e[c], faces.first_t[c]) <= _SAME_FOOT * r
-            and not _reflex_between(tour, e, t, faces.first_e[c], faces.first_t[c])
+            faces.settled[k].kind == OSCULATING
+            and (c == 0 or faces.contact[c - 1].disc != k)  # the first contact of a disc is where it osculates
+            and apart(tour, e, t, faces.contact[c].first_e, faces.contact[c].first_t) <= _SAME_FOOT * r
+            and not _reflex_between(tour, e, t, faces.contact[c].first_e, faces.contact[c].first_t)
         ):
             return True
     return False
@@ -345,11 +354,11 @@ def _way(tour: Tour, e: int, t: float, f: int, s: float) -> tuple[float, bool]:
     for _ in range(4):
         last = e == f and t <= s
         end = s if last else 1.0
-        cone = cone or (tour.degree[e] == 0 and end > t)
+        cone = cone or (tour.element[e].degree == 0 and end > t)
         length += end - t
         if last:
             return length, cone
-        e, t = tour.after[e], 0.0
+        e, t = tour.element[e].after, 0.0
     return math.inf, False
 
 
@@ -359,40 +368,48 @@ def falling_roots(coefficients: Floats) -> Floats:
 
     Stretches without a change of sign hold no root, with one exactly one; others are cut in two.
     """
-    degree = len(coefficients) - 1
-    noise = 1e-11 * np.abs(coefficients).max()
-    stack = np.empty((128, degree + 1))
-    ends = np.empty((128, 2))
-    stack[0], ends[0], top = coefficients, (0.0, 1.0), 1
-    roots = np.empty(4 * degree + 8)
-    count = 0
+    n = len(coefficients)
+    noise = _NOISE * np.abs(coefficients).max()
+    stack, low, high = np.empty((_STRETCHES, n)), np.empty(_STRETCHES), np.empty(_STRETCHES)
+    for i in range(n):
+        stack[0, i] = coefficients[i]
+    low[0], high[0], top = 0.0, 1.0, 1
+    roots, count = np.empty(4 * n + 8), 0
+    left, right = np.empty(n), np.empty(n)
     while top > 0:
         top -= 1
-        row = stack[top].copy()
-        low, high = ends[top]
-        changes, last = 0, 0
-        for c in row:
-            sign = 0 if abs(c) <= noise else (1 if c > 0 else -1)
-            if sign != 0:
-                changes += 1 if last not in (0, sign) else 0
-                last = sign
+        changes, last = _sign_changes(stack[top], noise)
         if changes == 0:
             continue
-        if changes == 1 or high - low < _SHORTEST or top + 2 > 128:
+        if changes == 1 or high[top] - low[top] < _SHORTEST or top + 2 > _STRETCHES:
             if last < 0 and count < len(roots):
-                roots[count] = _bisected(coefficients, low, high)
+                roots[count] = _bisected(coefficients, low[top], high[top])
                 count += 1
             continue
-        left, right = halves(row)
-        middle = (low + high) / 2
+        halve(stack[top], left, right)
+        middle = (low[top] + high[top]) / 2
         # A root right at the cut, as symmetric curves have it, changes the sign in neither half.
         if abs(right[0]) <= noise and _sign(left[::-1], noise) > 0 > _sign(right, noise) and count < len(roots):
             roots[count] = middle
             count += 1
-        stack[top], ends[top] = right, (middle, high)
-        stack[top + 1], ends[top + 1] = left, (low, middle)
+        for i in range(n):
+            stack[top, i], stack[top + 1, i] = right[i], left[i]
+        low[top + 1], high[top + 1] = low[top], middle
+        low[top] = middle
         top += 2
-    return roots[:count]
+    return roots[:count].copy()
+
+
+@compiled
+def _sign_changes(coefficients: Floats, noise: float) -> tuple[int, int]:
+    """Return how often the coefficients change their sign, and their last sign."""
+    changes, last = 0, 0
+    for c in coefficients:
+        sign = 0 if abs(c) <= noise else (1 if c > 0 else -1)
+        if sign != 0:
+            changes += 1 if last not in (0, sign) else 0
+            last = sign
+    return changes, last
 
 
 @compiled

@@ -29,7 +29,7 @@ import numpy as np
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.compiled import compiled
 from mashape_cad.medial.contact import TOUCH
-from mashape_cad.medial.tour import Ints, Tour, site
+from mashape_cad.medial.tour import Ints, Records, Tour, loop_count, site
 
 __all__ = [
     "ARC",
@@ -41,6 +41,7 @@ __all__ = [
     "LAID_OUT",
     "LOOSE_LOOP",
     "OSCULATING",
+    "SETTLED",
     "STATION",
     "WRONG_COUNT",
     "Contact",
@@ -78,6 +79,21 @@ CONTACTS, DISCS, _STAMP = range(3)
 LAID_OUT, LOOSE_LOOP, WRONG_COUNT = range(3)
 
 
+CONTACT = np.dtype(
+    [
+        ("first_e", np.int64),
+        ("first_t", np.float64),
+        ("last_e", np.int64),
+        ("last_t", np.float64),
+        ("disc", np.int64),
+        ("after", np.int64),
+        ("clockwise", np.int64),
+        ("mark", np.int64),
+    ]
+)
+SETTLED = np.dtype([("x", np.float64), ("y", np.float64), ("r", np.float64), ("tol", np.float64), ("kind", np.int64)])
+
+
 class Faces(NamedTuple):
     """Discs settled so far, their contacts on the loops, and the faces between them.
 
@@ -88,39 +104,22 @@ class Faces(NamedTuple):
     ----------
     used : (3,) array
         Number of contacts, number of discs, and a stamp for marks.
-    first_e, first_t, last_e, last_t : arrays
-        Places at which a contact starts and ends.
-    disc : array
-        The disc that touches at a contact.
-    after : array
-        The next contact on the loop: where the contact's gap ends.
-    clockwise : array
-        The next contact on the disc, clockwise: where a face goes on that has come to this one along a gap.
+    contact : record array
+        ``first_e``, ``first_t``, ``last_e``, ``last_t``: places at which a contact starts and ends. ``disc``: the disc
+        that touches here. ``after``: the next contact on the loop, where the contact's gap ends. ``clockwise``: the
+        next contact on the disc, clockwise, where a face goes on that has come to this one along a gap. ``mark``: for
+        walks over many faces; a contact is marked if it bears the present stamp.
+    settled : record array
+        Discs: ``x``, ``y``, ``r``: centre and radius in the tour's scale. ``tol``: how far the contacts may lie off the
+        circle. ``kind``: what it was settled as, `CORNER` and so on.
     head : (n,) array
         The first contact on each element; -1 if there is none.
-    x, y, r, tol : arrays
-        Centres and radii of discs in the tour's scale; how far the contacts may lie off the circle.
-    kind : array
-        What a disc was settled as: `CORNER` and so on.
-    mark : array
-        For walks over many faces: a contact is marked if it bears the present stamp.
     """
 
     used: Ints
-    first_e: Ints
-    first_t: Floats
-    last_e: Ints
-    last_t: Floats
-    disc: Ints
-    after: Ints
-    clockwise: Ints
+    contact: Records
+    settled: Records
     head: Ints
-    x: Floats
-    y: Floats
-    r: Floats
-    tol: Floats
-    kind: Ints
-    mark: Ints
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,49 +148,31 @@ class SettledDisc:
 
 def settled_discs(faces: Faces) -> list[SettledDisc]:
     """Return the discs of `faces` with their contacts."""
-    contacts: list[list[Contact]] = [[] for _ in range(int(faces.used[DISCS]))]
-    for c in range(int(faces.used[CONTACTS])):
-        first, last = (int(faces.first_e[c]), float(faces.first_t[c])), (int(faces.last_e[c]), float(faces.last_t[c]))
-        contacts[int(faces.disc[c])].append((first, last))
+    settled = faces.settled[: int(faces.used[DISCS])]
+    contacts: list[list[Contact]] = [[] for _ in settled]
+    for row in faces.contact[: int(faces.used[CONTACTS])]:
+        first, last = (int(row.first_e), float(row.first_t)), (int(row.last_e), float(row.last_t))
+        contacts[int(row.disc)].append((first, last))
     return [
-        SettledDisc(
-            float(faces.x[d]), float(faces.y[d]), float(faces.r[d]), tuple(touched), _KINDS[faces.kind[d]], faces.tol[d]
-        )
-        for d, touched in enumerate(contacts)
+        SettledDisc(float(d.x), float(d.y), float(d.r), tuple(touched), _KINDS[int(d.kind)], float(d.tol))
+        for d, touched in zip(settled, contacts, strict=True)
     ]
 
 
-@compiled
 def blank_faces(tour: Tour) -> Faces:
     """Return the domain before any cut."""
-    n = len(tour.degree)
+    n = len(tour.element)
     discs = _DISCS_PER_ELEMENT * n + _DISCS_AT_LEAST
-    contacts = 3 * discs
-    return Faces(
-        np.zeros(3, np.int64),
-        np.empty(contacts, np.int64),
-        np.empty(contacts),
-        np.empty(contacts, np.int64),
-        np.empty(contacts),
-        np.empty(contacts, np.int64),
-        np.empty(contacts, np.int64),
-        np.empty(contacts, np.int64),
-        np.full(n, -1),
-        np.empty(discs),
-        np.empty(discs),
-        np.empty(discs),
-        np.empty(discs),
-        np.empty(discs, np.int64),
-        np.zeros(contacts, np.int64),
-    )
+    contact, settled = np.zeros(3 * discs, CONTACT).view(np.recarray), np.empty(discs, SETTLED).view(np.recarray)
+    return Faces(np.zeros(3, np.int64), contact, settled, np.full(n, -1))
 
 
 @compiled
 def add_disc(faces: Faces, x: float, y: float, r: float, kind: int, tol: float) -> int:
     """Append a disc, as yet without contacts; return its number."""
     number = faces.used[DISCS]
-    faces.x[number], faces.y[number], faces.r[number] = x, y, r
-    faces.kind[number], faces.tol[number] = kind, tol
+    faces.settled[number].x, faces.settled[number].y, faces.settled[number].r = x, y, r
+    faces.settled[number].kind, faces.settled[number].tol = kind, tol
     faces.used[DISCS] = number + 1
     return number
 
@@ -200,9 +181,9 @@ def add_disc(faces: Faces, x: float, y: float, r: float, kind: int, tol: float) 
 def add_contact(faces: Faces, number: int, e: int, t: float, f: int, s: float) -> int:
     """Append a contact of a disc, from place (e, t) to place (f, s), as yet tied to no other; return its number."""
     contact = faces.used[CONTACTS]
-    faces.first_e[contact], faces.first_t[contact] = e, t
-    faces.last_e[contact], faces.last_t[contact] = f, s
-    faces.disc[contact] = number
+    faces.contact[contact].first_e, faces.contact[contact].first_t = e, t
+    faces.contact[contact].last_e, faces.contact[contact].last_t = f, s
+    faces.contact[contact].disc = number
     faces.used[CONTACTS] = contact + 1
     return contact
 
@@ -220,12 +201,12 @@ def lay_out(tour: Tour, faces: Faces) -> tuple[int, int]:
         The loose loop, or how many faces there are.
     """
     following = _sort_on_elements(faces)
-    for loop in range(tour.loop.max() + 1):
+    for loop in range(loop_count(tour)):
         if not _tie_loop(tour, faces, following, loop):
             return LOOSE_LOOP, loop
     _tie_discs(tour, faces)
     found = _face_count(faces)
-    if found != 1 - tour.loop.max() + faces.used[CONTACTS] - faces.used[DISCS]:
+    if found != 2 - loop_count(tour) + faces.used[CONTACTS] - faces.used[DISCS]:
         return WRONG_COUNT, found
     return LAID_OUT, found
 
@@ -235,9 +216,9 @@ def _sort_on_elements(faces: Faces) -> Ints:
     """Set `head`; return for each contact the next one on its element, -1 behind the last."""
     following = np.full(faces.used[CONTACTS], -1)
     for c in range(faces.used[CONTACTS]):
-        e, t = faces.first_e[c], faces.first_t[c]
+        e, t = faces.contact[c].first_e, faces.contact[c].first_t
         before, at = -1, faces.head[e]
-        while at >= 0 and faces.first_t[at] <= t:
+        while at >= 0 and faces.contact[at].first_t <= t:
             before, at = at, following[at]
         following[c] = at
         if before < 0:
@@ -251,19 +232,19 @@ def _sort_on_elements(faces: Faces) -> Ints:
 def _tie_loop(tour: Tour, faces: Faces, following: Ints, loop: int) -> bool:
     """Set `after` round a loop; False if it has no contact."""
     first, last = -1, -1
-    for e in range(len(tour.loop)):
-        if tour.loop[e] != loop:
+    for e in range(len(tour.element)):
+        if tour.element[e].loop != loop:
             continue
         c = faces.head[e]
         while c >= 0:
             if first < 0:
                 first = c
             else:
-                faces.after[last] = c
+                faces.contact[last].after = c
             last = c
             c = following[c]
     if first >= 0:
-        faces.after[last] = first
+        faces.contact[last].after = first
     return first >= 0
 
 
@@ -274,9 +255,9 @@ def _tie_discs(tour: Tour, faces: Faces) -> None:
     angle = np.empty(n)
     largest, next_of_disc = np.full(faces.used[DISCS], -1), np.full(n, -1)
     for c in range(n):
-        d = faces.disc[c]
-        x, y, _, _, _, _ = site(tour, faces.first_e[c], faces.first_t[c])
-        angle[c] = math.atan2(y - faces.y[d], x - faces.x[d])
+        d = faces.contact[c].disc
+        x, y, _, _, _, _ = site(tour, faces.contact[c].first_e, faces.contact[c].first_t)
+        angle[c] = math.atan2(y - faces.settled[d].y, x - faces.settled[d].x)
         before, at = -1, largest[d]
         while at >= 0 and angle[at] >= angle[c]:
             before, at = at, next_of_disc[at]
@@ -286,7 +267,7 @@ def _tie_discs(tour: Tour, faces: Faces) -> None:
         else:
             next_of_disc[before] = c
     for c in range(n):
-        faces.clockwise[c] = next_of_disc[c] if next_of_disc[c] >= 0 else largest[faces.disc[c]]
+        faces.contact[c].clockwise = next_of_disc[c] if next_of_disc[c] >= 0 else largest[faces.contact[c].disc]
 
 
 @compiled
@@ -294,7 +275,7 @@ def _face_count(faces: Faces) -> int:
     stamp = _new_stamp(faces)
     found = 0
     for c in range(faces.used[CONTACTS]):
-        if faces.mark[c] != stamp:
+        if faces.contact[c].mark != stamp:
             found += 1
             _mark_cycle(faces, c, stamp)
     return found
@@ -309,9 +290,9 @@ def _new_stamp(faces: Faces) -> int:
 @compiled
 def _mark_cycle(faces: Faces, gap: int, stamp: int) -> None:
     at = gap
-    while faces.mark[at] != stamp:
-        faces.mark[at] = stamp
-        at = faces.clockwise[faces.after[at]]
+    while faces.contact[at].mark != stamp:
+        faces.contact[at].mark = stamp
+        at = faces.contact[faces.contact[at].after].clockwise
 
 
 @compiled
@@ -320,7 +301,7 @@ def distinct_faces(faces: Faces, gaps: Ints) -> Ints:
     stamp = _new_stamp(faces)
     kept, count = np.empty(len(gaps), np.int64), 0
     for gap in gaps:
-        if faces.mark[gap] != stamp:
+        if faces.contact[gap].mark != stamp:
             _mark_cycle(faces, gap, stamp)
             kept[count] = gap
             count += 1
@@ -330,30 +311,30 @@ def distinct_faces(faces: Faces, gaps: Ints) -> Ints:
 @compiled
 def cycle(faces: Faces, gap: int) -> Ints:
     """Return the gaps of the face that a gap bounds, in order, this one first."""
-    n, at = 1, faces.clockwise[faces.after[gap]]
+    n, at = 1, faces.contact[faces.contact[gap].after].clockwise
     while at != gap:
         n += 1
-        at = faces.clockwise[faces.after[at]]
+        at = faces.contact[faces.contact[at].after].clockwise
     found = np.empty(n, np.int64)
     for k in range(n):
         found[k] = at
-        at = faces.clockwise[faces.after[at]]
+        at = faces.contact[faces.contact[at].after].clockwise
     return found
 
 
 @compiled
 def corner(faces: Faces, gap: int) -> int:
     """Return the disc at the end of a gap: the corner between it and the face's next gap."""
-    return faces.disc[faces.after[gap]]
+    return faces.contact[faces.contact[gap].after].disc
 
 
 @compiled
 def stretch(tour: Tour, faces: Faces, gap: int) -> tuple[bool, int, float, float]:
     """Return a gap as part of one element: ``(on one, element, low, high)``; not while it spans several elements."""
-    end = faces.after[gap]
-    e, low = faces.last_e[gap], faces.last_t[gap]
-    f, high = faces.first_e[end], faces.first_t[end]
-    if f == tour.after[e] and high == 0.0:
+    end = faces.contact[gap].after
+    e, low = faces.contact[gap].last_e, faces.contact[gap].last_t
+    f, high = faces.contact[end].first_e, faces.contact[end].first_t
+    if f == tour.element[e].after and high == 0.0:
         return True, e, low, 1.0
     return e == f and low < high, e, low, high
 
@@ -361,8 +342,8 @@ def stretch(tour: Tour, faces: Faces, gap: int) -> tuple[bool, int, float, float
 @compiled
 def is_laid_out(tour: Tour, faces: Faces, gap: int) -> bool:
     """Whether a face is one piece of a branch: two gaps, each on one element."""
-    other = faces.clockwise[faces.after[gap]]
-    if other == gap or faces.clockwise[faces.after[other]] != gap:
+    other = faces.contact[faces.contact[gap].after].clockwise
+    if other == gap or faces.contact[faces.contact[other].after].clockwise != gap:
         return False
     return stretch(tour, faces, gap)[0] and stretch(tour, faces, other)[0]
 
@@ -371,16 +352,20 @@ def is_laid_out(tour: Tour, faces: Faces, gap: int) -> bool:
 def gap_at(tour: Tour, faces: Faces, e: int, t: float) -> int:
     """Return the gap that holds a place strictly inside; -1 if the place is on a contact."""
     at, f = faces.head[e], e
-    if at < 0 or faces.first_t[at] > t:
-        f = tour.before[e]
+    if at < 0 or faces.contact[at].first_t > t:
+        f = tour.element[e].before
         while faces.head[f] < 0:
-            f = tour.before[f]
+            f = tour.element[f].before
         at, t_most = faces.head[f], math.inf
     else:
         t_most = t
     while True:
-        following = faces.after[at]
-        if following == faces.head[f] or faces.first_e[following] != f or faces.first_t[following] > t_most:
+        following = faces.contact[at].after
+        if (
+            following == faces.head[f]
+            or faces.contact[following].first_e != f
+            or faces.contact[following].first_t > t_most
+        ):
             break
         at = following
     return -1 if on_contact(faces, at, e, t) else at
@@ -389,7 +374,7 @@ def gap_at(tour: Tour, faces: Faces, e: int, t: float) -> int:
 @compiled
 def on_contact(faces: Faces, c: int, e: int, t: float) -> bool:
     """Whether a place is a contact's, or lies on its arc, ends included."""
-    a, s, b, u = faces.first_e[c], faces.first_t[c], faces.last_e[c], faces.last_t[c]
+    a, s, b, u = faces.contact[c].first_e, faces.contact[c].first_t, faces.contact[c].last_e, faces.contact[c].last_t
     if a == b and s == u:
         return e == a and t == s
     from_first = e > a or (e == a and t >= s)
@@ -422,7 +407,7 @@ def insert(faces: Faces, number: int, gaps: Ints, e: Ints, t: Floats) -> Ints:
     for i in range(m):
         new[i] = _put_contact(faces, number, gaps[i], e[i], t[i])
     for i in range(m):
-        faces.clockwise[new[i]] = new[i - 1]
+        faces.contact[new[i]].clockwise = new[i - 1]
     return new
 
 
@@ -442,11 +427,11 @@ def attach(faces: Faces, before: int, gap: int, e: int, t: float) -> int:
     int
         The new contact.
     """
-    here = faces.after[before]
-    number = faces.disc[here]
+    here = faces.contact[before].after
+    number = faces.contact[here].disc
     new = _put_contact(faces, number, gap, e, t)
-    faces.clockwise[new], faces.clockwise[here] = faces.clockwise[here], new
-    faces.kind[number] = JUNCTION
+    faces.contact[new].clockwise, faces.contact[here].clockwise = faces.contact[here].clockwise, new
+    faces.settled[number].kind = JUNCTION
     return new
 
 
@@ -454,7 +439,7 @@ def attach(faces: Faces, before: int, gap: int, e: int, t: float) -> int:
 def _put_contact(faces: Faces, number: int, gap: int, e: int, t: float) -> int:
     """Put a contact inside a gap."""
     new = add_contact(faces, number, e, t, e, t)
-    faces.after[new], faces.after[gap] = faces.after[gap], new
-    if faces.head[e] < 0 or t < faces.first_t[faces.head[e]]:
+    faces.contact[new].after, faces.contact[gap].after = faces.contact[gap].after, new
+    if faces.head[e] < 0 or t < faces.contact[faces.head[e]].first_t:
         faces.head[e] = new
     return new

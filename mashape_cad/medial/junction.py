@@ -75,9 +75,8 @@ def junction_disc(
             change = min(max(change, -bound), bound)
             # A foot that wants out may lean a little over the end of its stretch, so that the others can settle.
             s = min(max(t[i] + change, low[i] - _MARGIN), high[i] + _MARGIN)
-            moved = max(
-                moved, abs(s - t[i]) * max(speed[i], r * abs(tour.cone[element[i], 1]) if speed[i] == 0.0 else 0.0)
-            )
+            pace = speed[i] if speed[i] > 0.0 else r * abs(tour.element[element[i]].cone_turn)
+            moved = max(moved, abs(s - t[i]) * pace)
             t[i] = s
         if step > 3 and moved >= best and moved < _SETTLED:
             break

@@ -21,7 +21,7 @@ from mashape_cad.medial.faces import (
     on_contact,
     settled_discs,
 )
-from mashape_cad.medial.tour import Tour, site
+from mashape_cad.medial.tour import Tour, loop_count, site
 
 __all__ = ["links", "settle_links"]
 
@@ -51,7 +51,7 @@ def settle_links(tour: Tour, faces: Faces) -> None:
     for direction in _DIRECTIONS:
         faces.used[CONTACTS], faces.used[DISCS] = contacts, discs
         clear = True
-        for loop in range(1, tour.loop.max() + 1):
+        for loop in range(1, loop_count(tour)):
             clear = clear and _settle_link(tour, faces, loop, math.cos(direction), math.sin(direction))
         if clear:
             break
@@ -69,10 +69,10 @@ def _settle_link(tour: Tour, faces: Faces, loop: int, up_x: float, up_y: float) 
     if number < 0:
         number, known = add_disc(faces, x, y, r, STATION, TOUCH), 0
     _add_lacking(tour, faces, number, known, e, t)
-    clear = not (t == 0.0 and tour.convex[e])
+    clear = not (t == 0.0 and tour.element[e].convex)
     for k in range(count):
         _add_lacking(tour, faces, number, known, element[k], place_t[k])
-        clear = clear and not (place_t[k] == 0.0 and tour.convex[element[k]])
+        clear = clear and not (place_t[k] == 0.0 and tour.element[element[k]].convex)
     return clear
 
 
@@ -80,7 +80,10 @@ def _settle_link(tour: Tour, faces: Faces, loop: int, up_x: float, up_y: float) 
 def _settled(faces: Faces, x: float, y: float, r: float) -> int:
     """Return the disc that is this one; -1 if there is none."""
     for k in range(faces.used[DISCS]):
-        if math.hypot(faces.x[k] - x, faces.y[k] - y) <= _SAME_DISC and abs(faces.r[k] - r) <= _SAME_DISC:
+        if (
+            math.hypot(faces.settled[k].x - x, faces.settled[k].y - y) <= _SAME_DISC
+            and abs(faces.settled[k].r - r) <= _SAME_DISC
+        ):
             return k
     return -1
 
@@ -88,12 +91,12 @@ def _settled(faces: Faces, x: float, y: float, r: float) -> int:
 @compiled
 def _add_lacking(tour: Tour, faces: Faces, number: int, known: int, e: int, t: float) -> None:
     """Add a contact to a disc unless it is one of the first `known` contacts."""
-    x, y, r = faces.x[number], faces.y[number], faces.r[number]
+    x, y, r = faces.settled[number].x, faces.settled[number].y, faces.settled[number].r
     for c in range(known):
-        if faces.disc[c] == number and (
+        if faces.contact[c].disc == number and (
             on_contact(faces, c, e, t)
-            or one_contact(tour, e, t, faces.first_e[c], faces.first_t[c], x, y, r)
-            or one_contact(tour, e, t, faces.last_e[c], faces.last_t[c], x, y, r)
+            or one_contact(tour, e, t, faces.contact[c].first_e, faces.contact[c].first_t, x, y, r)
+            or one_contact(tour, e, t, faces.contact[c].last_e, faces.contact[c].last_t, x, y, r)
         ):
             return
     add_contact(faces, number, e, t, e, t)
@@ -103,10 +106,10 @@ def _add_lacking(tour: Tour, faces: Faces, number: int, known: int, e: int, t: f
 def _highest(tour: Tour, loop: int, up_x: float, up_y: float) -> tuple[int, float]:
     """Place of a hole that is highest in a direction, with its normal in that direction."""
     best, best_e, best_t = -math.inf, -1, 0.0
-    for e in range(len(tour.loop)):
-        if tour.loop[e] != loop:
+    for e in range(len(tour.element)):
+        if tour.element[e].loop != loop:
             continue
-        is_cone = tour.degree[e] == 0
+        is_cone = tour.element[e].degree == 0
         t = _highest_on_cone(tour, e, up_x, up_y) if is_cone else _highest_on_span(tour, e, up_x, up_y)
         if not 0.0 <= t < 1.0:
             continue
@@ -120,10 +123,10 @@ def _highest(tour: Tour, loop: int, up_x: float, up_y: float) -> tuple[int, floa
 @compiled
 def _highest_on_cone(tour: Tour, e: int, up_x: float, up_y: float) -> float:
     """Parameter at which a cone's normal points up; outside (0, 1) if none does."""
-    middle = tour.cone[e, 1] / 2
-    turned = math.atan2(up_y, up_x) - tour.cone[e, 0] - middle
+    middle = tour.element[e].cone_turn / 2
+    turned = math.atan2(up_y, up_x) - tour.element[e].cone_angle - middle
     turned -= 2 * math.pi * math.floor(turned / (2 * math.pi) + 0.5)
-    t = (turned + middle) / tour.cone[e, 1]
+    t = (turned + middle) / tour.element[e].cone_turn
     return t if 0.0 < t < 1.0 else -1.0
 
 

@@ -172,9 +172,9 @@ def _gauss_kronrod(
             off = min(r, max(ends))
             r = ends[0] + (ends[1] - ends[0]) * (t - here[0]) / (here[1] - here[0])
             off = max(off, r)
-        if tour.degree[e] == 0:
-            value = -tour.cone[e, 1] * r * r / 2
-            doubt -= _KRONROD[i] * tour.cone[e, 1] * r * off
+        if tour.element[e].degree == 0:
+            value = -tour.element[e].cone_turn * r * r / 2
+            doubt -= _KRONROD[i] * tour.element[e].cone_turn * r * off
         else:
             value = (r - curvature * r * r / 2) * speed
             doubt += _KRONROD[i] * max(1.0, 1.0 - curvature * r) * off * speed
@@ -209,12 +209,16 @@ def swept_by_arcs(tour: Tour, first: Floats, last: Floats, radius: Floats) -> Fl
         f, s = int(last[c, 0]), last[c, 1]
         if e == f and t == s:
             continue
-        for _ in range(len(tour.degree)):
+        for _ in range(len(tour.element)):
             to = s if e == f and s > t else 1.0
             swept[c] += _arc_swept(tour, e, t, to, radius[c])
-            if to < 1.0 or (tour.after[e] == f and s == 0.0) or (f == len(tour.degree) and tour.after[e] == 0):
+            if (
+                to < 1.0
+                or (tour.element[e].after == f and s == 0.0)
+                or (f == len(tour.element) and tour.element[e].after == 0)
+            ):
                 break
-            e, t = tour.after[e], 0.0
+            e, t = tour.element[e].after, 0.0
     return swept
 
 

@@ -16,7 +16,7 @@ boundary bends inwards.
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,9 +27,10 @@ from mashape_cad.geometry.profile import Profile
 from mashape_cad.medial.bezier import evaluate, halve, power_distance
 from mashape_cad.medial.compiled import compiled
 
-__all__ = ["ROUND", "Frame", "Ints", "Tour", "site", "tour"]
+__all__ = ["ROUND", "Frame", "Ints", "Records", "Tour", "loop_count", "site", "tour"]
 
 Ints = NDArray[np.int64]
+Records = Any  # record arrays of numpy, which has no types for their fields
 
 # Tangents that differ by less (radians) join smoothly: the disc that touches at such a kink is entered by no more than
 # r * kink^2 / 2, which is below `EMPTY`. A wider convex kink is a vertex with a branch of its own, however thin.
@@ -58,55 +59,123 @@ _BOX_PARTS = 8
 _SOUND, _OPEN, _NO_LENGTH, _IS_CUSP = range(4)
 
 
+# One row for each element. A record array and not an array for each field: compiled functions hand a tour on at every
+# call, and what is handed on piece by piece costs most of the time that compiling takes.
+ELEMENT = np.dtype(
+    [
+        ("degree", np.int64),
+        ("after", np.int64),
+        ("before", np.int64),
+        ("loop", np.int64),
+        ("edge", np.int64),
+        ("edge_from", np.float64),
+        ("edge_to", np.float64),
+        ("angle", np.float64),
+        ("cone_angle", np.float64),
+        ("cone_turn", np.float64),
+        ("x0", np.float64),
+        ("y0", np.float64),
+        ("x1", np.float64),
+        ("y1", np.float64),
+        ("round_x", np.float64),
+        ("round_y", np.float64),
+        ("round_radius", np.float64),
+        ("sample_from", np.int64),
+        ("sample_to", np.int64),
+        ("convex", np.bool_),
+    ],
+    align=True,
+)
+
+
 class Tour(NamedTuple):
-    """All elements of a profile's boundary as arrays (a named tuple, so that compiled code takes it).
+    """All elements of a profile's boundary (a named tuple, so that compiled code takes it).
 
     Attributes
     ----------
     control : (n, d + 1, 3) array
         Homogeneous control points of spans; row 0 of a cone is its vertex.
-    degree : (n,) array
-        Degree of a span; 0 marks a cone.
-    cone : (n, 2) array
-        Of a cone: angle of its first normal and the (negative) angle over which it turns, radians.
-    after, before : (n,) arrays
-        Neighbouring elements on the loop.
-    convex : (n,) bool array
-        Whether the border at the element's start is a convex vertex.
-    loop : (n,) array
-        Number of the loop.
-    edge : (n,) array
-        Number of the edge in ``profile.edges`` (of a cone: the edge on which the span behind it lies).
-    edge_from, edge_to : (n,) arrays
-        Edge parameter at the element's ends.
-    box : (n, 4) array
-        xmin, ymin, xmax, ymax of the control points.
-    angle : (n,) array
-        Signed angle over which an elliptic arc's span runs, radians; 0 on other elements.
-    sample : (k, 2) array
-        Points on the spans, with their parameters `sample_t`; those of element e stand in rows ``sample_from[e]`` to
-        ``sample_from[e + 1]``.
-    round_centre : (n, 2) array
-        Centre of the span's circle, where it is circular and bends inwards, else NaN; `round_radius` likewise.
+    element : (n,) record array
+        Of each element:
+
+        * ``degree``: of a span; 0 marks a cone;
+        * ``after``, ``before``: neighbours on the loop;
+        * ``loop``, ``edge``: numbers of the loop, and of the edge in ``profile.edges`` (of a cone: that which starts
+          there); ``edge_from``, ``edge_to``: the edge's parameter at the ends;
+        * ``angle``: signed angle over which an elliptic arc's span runs, radians; 0 on others;
+        * ``cone_angle``, ``cone_turn``: angle of a cone's first normal and the (negative) angle over which it turns;
+        * ``x0``, ``y0``, ``x1``, ``y1``: box of the control points;
+        * ``round_x``, ``round_y``, ``round_radius``: the span's circle, where it is circular and bends inwards, else
+          NaN;
+        * ``sample_from``, ``sample_to``: its rows of `sample`;
+        * ``convex``: whether the border at its start is a convex vertex.
+    sample : (k, 3) array
+        Points on the spans with their parameters: x, y, t.
     """
 
     control: Floats
-    degree: Ints
-    cone: Floats
-    after: Ints
-    before: Ints
-    convex: NDArray[np.bool_]
-    loop: Ints
-    edge: Ints
-    edge_from: Floats
-    edge_to: Floats
-    box: Floats
-    angle: Floats
+    element: Records
     sample: Floats
-    sample_t: Floats
-    sample_from: Ints
-    round_centre: Floats
-    round_radius: Floats
+
+    @property
+    def degree(self) -> Ints:
+        """Degree of each element, (n,)."""
+        return self.element["degree"]
+
+    @property
+    def loop(self) -> Ints:
+        """Number of the loop, (n,)."""
+        return self.element["loop"]
+
+    @property
+    def edge(self) -> Ints:
+        """Number of the edge, (n,)."""
+        return self.element["edge"]
+
+    @property
+    def after(self) -> Ints:
+        """The next element, (n,)."""
+        return self.element["after"]
+
+    @property
+    def before(self) -> Ints:
+        """The element before, (n,)."""
+        return self.element["before"]
+
+    @property
+    def convex(self) -> NDArray[np.bool_]:
+        """Whether a convex vertex starts it, (n,)."""
+        return self.element["convex"]
+
+    @property
+    def edge_from(self) -> Floats:
+        """Edge parameter at the start, (n,)."""
+        return self.element["edge_from"]
+
+    @property
+    def edge_to(self) -> Floats:
+        """Edge parameter at the end, (n,)."""
+        return self.element["edge_to"]
+
+    @property
+    def round_radius(self) -> Floats:
+        """Radius of the circle, (n,)."""
+        return self.element["round_radius"]
+
+    @property
+    def cone(self) -> Floats:
+        """First angle and turn of cones, (n, 2)."""
+        return np.column_stack([self.element[name] for name in ("cone_angle", "cone_turn")])
+
+    @property
+    def box(self) -> Floats:
+        """Boxes, (n, 4)."""
+        return np.column_stack([self.element[name] for name in ("x0", "y0", "x1", "y1")])
+
+    @property
+    def round_centre(self) -> Floats:
+        """Centres of circles, (n, 2)."""
+        return np.column_stack([self.element[name] for name in ("round_x", "round_y")])
 
 
 class Frame(NamedTuple):
@@ -131,10 +200,10 @@ def site(tour: Tour, e: int, t: float) -> tuple[float, float, float, float, floa
     speed : float
         Length of the derivative by ``t``; 0 on a cone.
     """
-    if tour.degree[e] == 0:
-        angle = tour.cone[e, 0] + t * tour.cone[e, 1]
+    if tour.element[e].degree == 0:
+        angle = tour.element[e].cone_angle + t * tour.element[e].cone_turn
         return tour.control[e, 0, 0], tour.control[e, 0, 1], math.cos(angle), math.sin(angle), -math.inf, 0.0
-    x, y, dx, dy, ddx, ddy = evaluate(tour.control[e], tour.degree[e], t)
+    x, y, dx, dy, ddx, ddy = evaluate(tour.control[e], tour.element[e].degree, t)
     speed = math.hypot(dx, dy)
     return x, y, -dy / speed, dx / speed, (dx * ddy - dy * ddx) / speed**3, speed
 
@@ -172,7 +241,22 @@ def tour(profile: Profile) -> tuple[Tour, Frame]:
     flaw, x, y = _prepare(spans, frame.middle[0], frame.middle[1], frame.size)
     if flaw != _SOUND:
         raise _refusal(flaw, x * frame.size + float(frame.middle[0]), y * frame.size + float(frame.middle[1]))
-    return _laid_out(spans), frame
+    out = _blank(*_extent(spans), spans.control.shape[1])
+    _lay_out(spans, out)
+    return out, frame
+
+
+def _blank(elements: int, samples: int, rows: int) -> Tour:
+    element = np.zeros(elements, ELEMENT).view(np.recarray)
+    for name in ("cone_angle", "cone_turn", "round_x", "round_y", "round_radius"):
+        element[name] = np.nan
+    return Tour(np.zeros((elements, rows, 3)), element, np.empty((samples, 3)))
+
+
+@compiled
+def loop_count(tour: Tour) -> int:
+    """Return how many loops there are; they follow one another."""
+    return tour.element[len(tour.element) - 1].loop + 1
 
 
 def _spans(profile: Profile) -> _Spans:
@@ -356,70 +440,61 @@ def _turn_leg(control: Floats, end: int, row: int, angle: float) -> None:
 
 
 @compiled
-def _laid_out(spans: _Spans) -> Tour:
-    """Put a cone at each reflex vertex between the spans, and collect what the search asks for of each element."""
-    count = len(spans.degree)
-    before_span = _before(spans.loop)
-    turn, heading = np.empty(count), np.empty(count)
-    cones = 0
-    for e in range(count):
-        turn[e], ux, uy = _turn_between(spans, before_span[e], e)
-        heading[e] = math.atan2(uy, ux)
-        cones += turn[e] < -_SMOOTH
-    n = count + cones
-    samples = 0
-    for degree in spans.degree:
-        samples += _sample_count(degree)
-    out = _blank_tour(n, spans.control.shape[1], samples)
-    at = 0
-    for e in range(count):
-        if turn[e] < -_SMOOTH:
-            for j in range(3):
-                out.control[at, 0, j] = spans.control[e, 0, j] / spans.control[e, 0, 2]
-            out.cone[at, 0], out.cone[at, 1] = heading[e] + math.pi / 2, turn[e]
-            out.loop[at], out.edge[at] = spans.loop[e], spans.edge[e]
-            out.edge_from[at] = out.edge_to[at] = spans.edge_from[e]  # not 0 at a kink between the spans of one edge
-            at += 1
-        for i in range(spans.degree[e] + 1):
-            for j in range(3):
-                out.control[at, i, j] = spans.control[e, i, j]
-        out.degree[at] = spans.degree[e]
-        out.convex[at] = turn[e] > _SMOOTH
-        out.loop[at], out.edge[at], out.angle[at] = spans.loop[e], spans.edge[e], spans.angle[e]
-        out.edge_from[at], out.edge_to[at] = spans.edge_from[e], spans.edge_to[e]
-        at += 1
-    before = _before(out.loop)
-    for e in range(n):
-        out.before[e], out.after[before[e]] = before[e], e
-        out.box[e, 0], out.box[e, 1], out.box[e, 2], out.box[e, 3] = _control_box(out.control[e], out.degree[e])
-        if out.degree[e] > 1:
-            x, y, r = _circle(out.control[e], out.degree[e])
-            out.round_centre[e, 0], out.round_centre[e, 1], out.round_radius[e] = x, y, r
-    _fill_samples(out)
-    return out
+def _extent(spans: _Spans) -> tuple[int, int]:
+    """Return the number of elements, cones included, and of samples."""
+    before, elements, samples = _before(spans.loop), 0, 0
+    for e in range(len(spans.degree)):
+        elements += 2 if _turn_between(spans, before[e], e)[0] < -_SMOOTH else 1
+        samples += _sample_count(spans.degree[e])
+    return elements, samples
 
 
 @compiled
-def _blank_tour(n: int, rows: int, samples: int) -> Tour:
-    return Tour(
-        np.zeros((n, rows, 3)),
-        np.zeros(n, np.int64),
-        np.full((n, 2), math.nan),
-        np.empty(n, np.int64),
-        np.empty(n, np.int64),
-        np.zeros(n, np.bool_),
-        np.empty(n, np.int64),
-        np.empty(n, np.int64),
-        np.zeros(n),
-        np.zeros(n),
-        np.empty((n, 4)),
-        np.zeros(n),
-        np.empty((samples, 2)),
-        np.empty(samples),
-        np.zeros(n + 1, np.int64),
-        np.full((n, 2), math.nan),
-        np.full(n, math.nan),
-    )
+def _lay_out(spans: _Spans, out: Tour) -> None:
+    """Put a cone at each reflex vertex between the spans, and collect what the search asks for of each element."""
+    before_span = _before(spans.loop)
+    at = 0
+    for e in range(len(spans.degree)):
+        turn, ux, uy = _turn_between(spans, before_span[e], e)
+        if turn < -_SMOOTH:
+            for j in range(3):
+                out.control[at, 0, j] = spans.control[e, 0, j] / spans.control[e, 0, 2]
+            out.element[at].cone_angle, out.element[at].cone_turn = math.atan2(uy, ux) + math.pi / 2, turn
+            out.element[at].loop, out.element[at].edge = spans.loop[e], spans.edge[e]
+            out.element[at].edge_from = out.element[at].edge_to = spans.edge_from[e]
+            at += 1
+        _copy_span(spans, e, out, at)
+        out.element[at].convex = turn > _SMOOTH
+        at += 1
+    _tie_loops(out)
+    _fill_samples(out)
+
+
+@compiled
+def _copy_span(spans: _Spans, e: int, out: Tour, at: int) -> None:
+    """Fill in one span, with its box and its circle."""
+    degree = spans.degree[e]
+    for i in range(degree + 1):
+        for j in range(3):
+            out.control[at, i, j] = spans.control[e, i, j]
+    row = out.element[at]
+    row.degree, row.loop, row.edge, row.angle = degree, spans.loop[e], spans.edge[e], spans.angle[e]
+    row.edge_from, row.edge_to = spans.edge_from[e], spans.edge_to[e]
+    row.x0, row.y0, row.x1, row.y1 = _control_box(spans.control[e], degree)
+    if degree > 1:
+        row.round_x, row.round_y, row.round_radius = _circle(spans.control[e], degree)
+
+
+@compiled
+def _tie_loops(out: Tour) -> None:
+    """Fill in the neighbours of all elements."""
+    first, n = 0, len(out.element)
+    for e in range(n):
+        if out.element[e].loop != out.element[first].loop:
+            first = e
+        is_last = e == n - 1 or out.element[e + 1].loop != out.element[e].loop
+        after = first if is_last else e + 1
+        out.element[e].after, out.element[after].before = after, e
 
 
 @compiled
@@ -431,14 +506,14 @@ def _sample_count(degree: int) -> int:
 def _fill_samples(tour: Tour) -> None:
     """Fill in points on the spans, in the middle of equal parameter steps."""
     at = 0
-    for e in range(len(tour.degree)):
-        count = _sample_count(tour.degree[e])
+    for e in range(len(tour.element)):
+        count = _sample_count(tour.element[e].degree)
+        tour.element[e].sample_from, tour.element[e].sample_to = at, at + count
         for k in range(count):
             t = (k + 0.5) / count
-            x, y, _, _, _, _ = evaluate(tour.control[e], tour.degree[e], t)
-            tour.sample[at, 0], tour.sample[at, 1], tour.sample_t[at] = x, y, t
+            x, y, _, _, _, _ = evaluate(tour.control[e], tour.element[e].degree, t)
+            tour.sample[at, 0], tour.sample[at, 1], tour.sample[at, 2] = x, y, t
             at += 1
-        tour.sample_from[e + 1] = at
 
 
 @compiled

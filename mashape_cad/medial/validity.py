@@ -13,7 +13,7 @@ from mashape_cad.errors import InvalidProfileError
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.bezier import evaluate, halves, speed_squared
 from mashape_cad.medial.compiled import compiled
-from mashape_cad.medial.tour import Frame, Ints, Tour, site
+from mashape_cad.medial.tour import Frame, Ints, Tour, loop_count, site
 
 __all__ = ["check_simple", "first_contact"]
 
@@ -55,7 +55,7 @@ def check_simple(tour: Tour, frame: Frame) -> None:
         x, y = _in_mm(frame, *place)
         text = f"the outline crosses or touches itself at ({x:.6g}, {y:.6g}); mend it in the drawing"
         raise InvalidProfileError("crossing", text, (x, y))
-    for loop in range(int(tour.loop.max()) + 1):
+    for loop in range(loop_count(tour)):
         e = int(np.argmax((tour.loop == loop) & (tour.degree > 0)))
         x, y = _in_mm(frame, *site(tour, e, 0.0)[:2])
         if (_signed_area(tour, loop) > 0.0) != (loop == 0):
@@ -77,11 +77,11 @@ def _in_mm(frame: Frame, x: float, y: float) -> tuple[float, float]:
 def _signed_area(tour: Tour, loop: int) -> float:
     """Area that a loop encloses, by Gauss quadrature on each span; positive if it runs counter-clockwise."""
     area = 0.0
-    for e in range(len(tour.degree)):
-        if tour.loop[e] != loop or tour.degree[e] == 0:
+    for e in range(len(tour.element)):
+        if tour.element[e].loop != loop or tour.element[e].degree == 0:
             continue
         for k in range(len(_NODES)):
-            x, y, dx, dy, _, _ = evaluate(tour.control[e], tour.degree[e], _NODES[k])
+            x, y, dx, dy, _, _ = evaluate(tour.control[e], tour.element[e].degree, _NODES[k])
             area += _WEIGHTS[k] * (x * dy - y * dx) / 2
     return area
 
@@ -92,10 +92,10 @@ def _misplaced_hole(tour: Tour) -> tuple[int, bool]:
 
     Loops neither cross nor touch, so one point of a hole settles it.
     """
-    loops = tour.loop.max() + 1
+    loops = loop_count(tour)
     for hole in range(1, loops):
         e = 0
-        while tour.loop[e] != hole:
+        while tour.element[e].loop != hole:
             e += 1
         x, y, _, _, _, _ = site(tour, e, 0.0)
         inside = _loops_around(tour, x, y, hole)
@@ -110,12 +110,12 @@ def _misplaced_hole(tour: Tour) -> tuple[int, bool]:
 @compiled
 def _loops_around(tour: Tour, x: float, y: float, own: int) -> NDArray[np.bool_]:
     """Tell of each loop but a point's own whether a ray from the point crosses it an odd number of times."""
-    inside = np.zeros(tour.loop.max() + 1, np.bool_)
-    for e in range(len(tour.degree)):
-        loop = tour.loop[e]
-        beside = tour.box[e, 1] > y or tour.box[e, 3] < y or tour.box[e, 2] < x
-        if loop != own and tour.degree[e] > 0 and not beside:
-            inside[loop] = inside[loop] != _crosses(tour.control[e, : tour.degree[e] + 1], x, y)
+    inside = np.zeros(loop_count(tour), np.bool_)
+    for e in range(len(tour.element)):
+        loop = tour.element[e].loop
+        beside = tour.element[e].y0 > y or tour.element[e].y1 < y or tour.element[e].x1 < x
+        if loop != own and tour.element[e].degree > 0 and not beside:
+            inside[loop] = inside[loop] != _crosses(tour.control[e, : tour.element[e].degree + 1], x, y)
     return inside
 
 
@@ -142,10 +142,10 @@ def _crosses(control: Floats, x: float, y: float) -> bool:
 @compiled
 def _standstill(tour: Tour) -> tuple[bool, float, float]:
     """Find a place where a curve has no speed: whether there is one, and where."""
-    for e in range(len(tour.degree)):
-        if tour.degree[e] < 2:
+    for e in range(len(tour.element)):
+        if tour.element[e].degree < 2:
             continue
-        stack, ends = [speed_squared(tour.control[e], tour.degree[e])], [(0.0, 1.0)]
+        stack, ends = [speed_squared(tour.control[e], tour.element[e].degree)], [(0.0, 1.0)]
         floor = _NO_SPEED * stack[0].max()
         while len(stack) > 0:
             coefficients, (low, high) = stack.pop(), ends.pop()
@@ -153,7 +153,7 @@ def _standstill(tour: Tour) -> tuple[bool, float, float]:
                 continue
             if high - low < _SHORTEST or min(coefficients[0], coefficients[-1]) <= floor:
                 at = low if coefficients[0] <= coefficients[-1] else high
-                x, y, _, _, _, _ = evaluate(tour.control[e], tour.degree[e], at)
+                x, y, _, _, _, _ = evaluate(tour.control[e], tour.element[e].degree, at)
                 return True, x, y
             left, right = halves(coefficients)
             stack.append(left)
@@ -165,16 +165,16 @@ def _standstill(tour: Tour) -> tuple[bool, float, float]:
 
 def first_contact(tour: Tour) -> tuple[float, float] | None:
     """Return a place where two spans meet, or one meets itself, though they should not; None if there is none."""
-    found, x, y = _first_contact(tour, np.argsort(tour.box[:, 0]))
+    found, x, y = _first_contact(tour, np.argsort(tour.element[:].x0))
     return (x, y) if found else None
 
 
 @compiled
 def _first_contact(tour: Tour, order: Ints) -> tuple[bool, float, float]:
-    n = len(tour.degree)
+    n = len(tour.element)
     for e in range(n):
-        if tour.degree[e] > 1:
-            found, x, y = _self_contact(tour.control[e, : tour.degree[e] + 1])
+        if tour.element[e].degree > 1:
+            found, x, y = _self_contact(tour.control[e, : tour.element[e].degree + 1])
             if found:
                 return True, x, y
     # From left to right, in `order`: a box is compared with those that start before it ends.
@@ -182,14 +182,14 @@ def _first_contact(tour: Tour, order: Ints) -> tuple[bool, float, float]:
         a = order[i]
         for j in range(i + 1, n):
             b = order[j]
-            if tour.box[b, 0] > tour.box[a, 2] + _TOUCH:
+            if tour.element[b].x0 > tour.element[a].x1 + _TOUCH:
                 break
-            above = tour.box[b, 1] > tour.box[a, 3] + _TOUCH or tour.box[a, 1] > tour.box[b, 3] + _TOUCH
-            if above or tour.degree[a] == 0 or tour.degree[b] == 0:
+            above = tour.element[b].y0 > tour.element[a].y1 + _TOUCH or tour.element[a].y0 > tour.element[b].y1 + _TOUCH
+            if above or tour.element[a].degree == 0 or tour.element[b].degree == 0:
                 continue
             found, x, y = pair_contact(
-                tour.control[a, : tour.degree[a] + 1],
-                tour.control[b, : tour.degree[b] + 1],
+                tour.control[a, : tour.element[a].degree + 1],
+                tour.control[b, : tour.element[b].degree + 1],
                 _follows(tour, a, b),
                 _follows(tour, b, a),
             )
@@ -201,8 +201,8 @@ def _first_contact(tour: Tour, order: Ints) -> tuple[bool, float, float]:
 @compiled
 def _follows(tour: Tour, a: int, b: int) -> bool:
     """Whether span b starts where span a ends."""
-    c = tour.after[a]
-    return b == (tour.after[c] if tour.degree[c] == 0 else c)
+    c = tour.element[a].after
+    return b == (tour.element[c].after if tour.element[c].degree == 0 else c)
 
 
 @compiled

@@ -39,11 +39,10 @@ def test_every_candidate_of_the_catalogue_is_accounted_for(name):
 def test_a_vertex_that_the_tour_does_not_call_convex_is_a_candidate_all_the_same():
     """Its tangents say so."""
     axis = axis_of("rectangle")
-    convex = axis.tour.convex.copy()
-    convex[2] = False
-    assert (
-        sum(c.kind == "convex vertex" for c in candidates(axis.tour._replace(convex=convex), touched_arcs(axis))) == 4
-    )
+    element = axis.tour.element.copy()
+    element.convex[2] = False
+    found = candidates(axis.tour._replace(element=element), touched_arcs(axis))
+    assert sum(candidate.kind == "convex vertex" for candidate in found) == 4
 
 
 def test_an_end_that_is_no_candidate_is_named():

@@ -14,6 +14,7 @@ from mashape_cad.medial.emptiness import (
     spans_near,
     touching,
 )
+from mashape_cad.medial.faces import SETTLED
 from mashape_cad.medial.tour import site, tour
 
 _SOME = ["ellipse", "rectangle", "ell", "bracket", "blob with holes", "plate with holes", "keyhole", "wave", "cross"]
@@ -74,8 +75,12 @@ def test_spans_near_a_disc(name):
     """Those that come as near as asked for in dense samples are told, others not; pairs stand disc by disc."""
     laid_out, _ = tour(profile_of(name))
     rng = np.random.default_rng(9)
-    centre, r, slack = rng.uniform(-0.5, 0.5, (30, 2)), rng.uniform(0.01, 0.3, 30), rng.choice([1e-9, 0.05], 30)
-    disc, element = spans_near(laid_out, centre[:, 0].copy(), centre[:, 1].copy(), r, slack)
+    centre, r, tol = rng.uniform(-0.5, 0.5, (30, 2)), rng.uniform(0.01, 0.3, 30), rng.choice([1e-11, 0.05], 30)
+    settled = np.zeros(30, SETTLED).view(np.recarray)
+    settled.x, settled.y, settled.r, settled.tol = *centre.T, r, tol
+    slack = 1e-9
+    disc, element = spans_near(laid_out, settled, slack)
+    slack += tol
     assert np.all(np.diff(disc) >= 0)
     pairs = set(zip(disc.tolist(), element.tolist(), strict=True))
     assert len(pairs) == len(disc)
