@@ -10,7 +10,7 @@ import math
 from mashape_cad.medial.compiled import compiled
 from mashape_cad.medial.tour import Tour, site
 
-__all__ = ["TOUCH", "apart", "one_contact", "same_foot"]
+__all__ = ["TOUCH", "apart", "follows_circle", "one_contact", "same_foot"]
 
 # A boundary point this close to the circle touches it (sizes of the shape).
 TOUCH = 1e-11
@@ -53,18 +53,18 @@ def _is_one(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy: float
         return True
     if distance > reach:
         return False
-    return _follows_circle(tour, e, t, f, s, cx, cy, r) or _follows_circle(tour, f, s, e, t, cx, cy, r)
+    return follows_circle(tour, e, t, f, s, cx, cy, r, TOUCH) or follows_circle(tour, f, s, e, t, cx, cy, r, TOUCH)
 
 
 @compiled
-def _follows_circle(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy: float, r: float) -> bool:
-    """Whether the boundary from one place on to the other stays on a circle."""
+def follows_circle(tour: Tour, e: int, t: float, f: int, s: float, cx: float, cy: float, r: float, tol: float) -> bool:
+    """Whether the boundary from one place on to the other, a few elements at most, stays this near to a circle."""
     for _ in range(_ELEMENTS):
         last = e == f and t <= s
         end = s if last else 1.0
         for k in range(_PLACES):
             x, y, _, _, _, _ = site(tour, e, t + (end - t) * k / (_PLACES - 1))
-            if abs(math.hypot(x - cx, y - cy) - r) > TOUCH:
+            if abs(math.hypot(x - cx, y - cy) - r) > tol:
                 return False
         if last:
             return True

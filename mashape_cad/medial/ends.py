@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.bezier import curvature_sign, curvature_slope, halve, value
 from mashape_cad.medial.compiled import compiled
-from mashape_cad.medial.contact import TOUCH, apart, one_contact
+from mashape_cad.medial.contact import TOUCH, apart, follows_circle, one_contact
 from mashape_cad.medial.emptiness import EMPTY, NO_SKIP, holds_sample, touching
 from mashape_cad.medial.faces import (
     ARC,
@@ -211,16 +211,19 @@ def _add_points(tour: Tour, faces: Faces, number: int) -> None:
     while faces.contact[first].disc != number:
         first += 1
     _, count, element, t = touching(tour, x, y, r, 2 * tol, faces.contact[first].first_e, math.inf)
-    # What touches one arc's disc at the end of an arc is that arc.
+    # What touches at the end of an arc, or further on along its circle, is that arc.
     clear = max(math.sqrt(16 * r * tol), 3e-6 * r, _ARC_END)
     for k in range(count):
         is_new = True
         for c in range(arcs):
-            if faces.contact[c].disc == number:
+            arc = faces.contact[c]
+            if arc.disc == number:
                 is_new = (
                     is_new
-                    and apart(tour, element[k], t[k], faces.contact[c].first_e, faces.contact[c].first_t) > clear
-                    and apart(tour, element[k], t[k], faces.contact[c].last_e, faces.contact[c].last_t) > clear
+                    and apart(tour, element[k], t[k], arc.first_e, arc.first_t) > clear
+                    and apart(tour, element[k], t[k], arc.last_e, arc.last_t) > clear
+                    and not follows_circle(tour, arc.last_e, arc.last_t, element[k], t[k], x, y, r, 2 * tol)
+                    and not follows_circle(tour, element[k], t[k], arc.first_e, arc.first_t, x, y, r, 2 * tol)
                 )
         if is_new:
             add_contact(faces, number, element[k], t[k], element[k], t[k])

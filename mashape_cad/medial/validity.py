@@ -291,11 +291,11 @@ def pair_contact(first: Floats, second: Floats, head: bool, tail: bool) -> tuple
         px0, py0, px1, py1 = _bounds(p)
         qx0, qy0, qx1, qy1 = _bounds(q)
         touch = _TOUCH
-        if head:
-            touch = min(touch, _PARTING * _from_box(first, len(first) - 1, px0, py0, px1, py1))
-        if tail:
-            touch = min(touch, _PARTING * _from_box(first, 0, px0, py0, px1, py1))
-        if px0 > qx1 + touch or qx0 > px1 + touch or py0 > qy1 + touch or qy0 > py1 + touch:
+        for shared, row in ((head, len(first) - 1), (tail, 0)):
+            if shared:
+                touch = min(touch, _PARTING * _from_box(first, row, px0, py0, px1, py1))
+        apart = px0 > qx1 + touch or qx0 > px1 + touch or py0 > qy1 + touch or qy0 > py1 + touch
+        if apart or _parted_across(p, q, touch) or _parted_across(q, p, touch):
             continue
         p_size, q_size = max(px1 - px0, py1 - py0), max(qx1 - qx0, qy1 - qy0)
         if (at_head or at_tail) and max(p_size, q_size) < _JOIN:
@@ -322,6 +322,25 @@ def pair_contact(first: Floats, second: Floats, head: bool, tail: bool) -> tuple
             flags[top + 1, 0], flags[top + 1, 1] = False, at_tail
         top += 2
     return True, (a[0, 0, 0]) / a[0, 0, 2], a[0, 0, 1] / a[0, 0, 2]
+
+
+@compiled
+def _parted_across(p: Floats, q: Floats, touch: float) -> bool:
+    """Whether a strip along the chord of piece p holds p and stays away from q; so thin wedges need few cuts."""
+    n, m = len(p), len(q)
+    x, y = p[0, 0] / p[0, 2], p[0, 1] / p[0, 2]
+    dx, dy = p[n - 1, 0] / p[n - 1, 2] - x, p[n - 1, 1] / p[n - 1, 2] - y
+    length = math.hypot(dx, dy)
+    if length == 0.0:
+        return False
+    low, high, below, above = 0.0, 0.0, math.inf, -math.inf
+    for i in range(n):
+        off = (dx * (p[i, 1] / p[i, 2] - y) - dy * (p[i, 0] / p[i, 2] - x)) / length
+        low, high = min(low, off), max(high, off)
+    for i in range(m):
+        off = (dx * (q[i, 1] / q[i, 2] - y) - dy * (q[i, 0] / q[i, 2] - x)) / length
+        below, above = min(below, off), max(above, off)
+    return below > high + touch or above < low - touch
 
 
 @compiled

@@ -12,21 +12,19 @@ _SEEDS, _CHUNK = 2000, 100
 # What is not certified yet, with its reason; each is tried all the same, and has to leave this list when it is mended.
 _SHORTCOMINGS = {
     210: "radii next to an osculating end are lost in rounding",
+    1794: "a short span that all but follows a circle of a hundredth of the size is taken for an arc, a little off",
     563: "the definition's search and the axis differ by 3e-7 of the size next to an osculating end",
-    1483: "a slit of a thousandth of a radian between two curves is taken for one that touches",
-    1794: "a face cannot be cut further",
 }
 
 
 def check(seed: int) -> None:
-    """The profile's axis is certified; a profile without one crosses or touches itself, as fine polygons confirm."""
+    """The profile's axis is certified; one that crosses or touches itself, as fine polygons tell, is refused."""
     profile = mixed_profile(seed)
-    try:
-        axis = medial_axis(profile)
-    except InvalidProfileError as error:
-        assert not is_simple(profile), (seed, error)
-        return
-    assert certificate(axis, STATIONS).reason == "", seed
+    if not is_simple(profile):
+        with pytest.raises(InvalidProfileError):
+            medial_axis(profile)
+    else:
+        assert certificate(medial_axis(profile), STATIONS).reason == "", seed
 
 
 @pytest.mark.parametrize("seed", range(12))
