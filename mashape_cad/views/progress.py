@@ -14,6 +14,9 @@ from mashape_cad.views.messages import readable
 
 __all__ = ["scan_progress", "summary_sentence"]
 
+# Shown till the first file has been read.
+_STARTING = "starting (once after an installation: compiling for a minute or two)"
+
 
 @contextmanager
 def scan_progress(stream: TextIO, *, bar: bool) -> Iterator[Callable[[Event], None]]:
@@ -29,7 +32,10 @@ def scan_progress(stream: TextIO, *, bar: bool) -> Iterator[Callable[[Event], No
         def tell(event: Event) -> None:
             nonlocal failed
             if isinstance(event, ScanStarted):
-                progress.update(task, total=event.total)
+                progress.update(task, total=event.total, description=_STARTING)
+                return
+            if event.status is Status.UNCHANGED:
+                progress.update(task, advance=1)
                 return
             if event.status is Status.FAILED:
                 failed += 1
