@@ -31,8 +31,13 @@ def mixed_profile(seed: int) -> Profile:
 
 def is_simple(profile: Profile) -> bool:
     """Whether the loops neither cross nor touch and are nested, judged by polygons that are fine near vertices."""
-    rings = [np.concatenate([edge.point(_FINE) for edge in loop.edges]) for loop in profile.loops]
+    rings = [np.concatenate([_fine_points(edge) for edge in loop.edges]) for loop in profile.loops]
     return bool(shapely.Polygon(rings[0], rings[1:]).is_valid)
+
+
+def _fine_points(edge: Edge) -> Floats:
+    """Points along an edge without its end; more on a straight one would only turn back by rounding."""
+    return edge.point([0.0] if isinstance(edge, Line) else _FINE)
 
 
 def _outline(rng: np.random.Generator) -> list[Edge]:
