@@ -3,7 +3,8 @@
 An axis ends in convex vertices, and in discs that osculate the boundary at a local maximum of its curvature, possibly
 along a whole arc (Choi, Choi, Moon 1997). All such places are listed from the boundary alone. Of each, either its disc
 is one of the axis that touches there: an end, or with contacts elsewhere too; or a boundary point lies strictly inside
-its disc: the witness that rejects it. Together with the counting identity this shows that no end is missing, and so no
+its disc: the witness that rejects it. A vertex at which a rounded arc meets its neighbour at a kink that is rounding
+belongs to the disc that fills the arc: with its tolerance, that disc touches there. Together with the counting identity this shows that no end is missing, and so no
 junction: an end that was forgotten along with its junction cancels in the sum, but not here.
 
 Conversely every end of the axis must be one of these places.
@@ -26,7 +27,7 @@ from mashape_cad.medial.graph import MedialAxis
 from mashape_cad.medial.objection import Objection
 from mashape_cad.medial.tour import Tour, site
 
-__all__ = ["Candidate", "candidate_objections", "candidates", "touched_arcs"]
+__all__ = ["Candidate", "candidate_objections", "candidates", "touched_arcs", "turns"]
 
 Place = tuple[int, float]
 
@@ -74,7 +75,7 @@ def candidates(tour: Tour, touched: NDArray[np.bool_]) -> Iterator[Candidate]:
     touched : (n,) bool array
         Elements that a disc touches as a whole: circular, so that the maxima of their curvature are rounding.
     """
-    for e in np.flatnonzero(tour.convex | (_turns(tour) > _VERTEX)).tolist():
+    for e in np.flatnonzero(tour.convex | (turns(tour) > _VERTEX)).tolist():
         x, y, *_ = site(tour, e, 0.0)
         yield Candidate("convex vertex", (e, 0.0), x, y, 0.0)
     for run in _arcs(tour):
@@ -163,8 +164,18 @@ def _accepting_discs(axis: MedialAxis, found: list[Candidate], circles: Floats) 
         low, high = np.searchsorted(known[order, 0], [candidate.x - tol.max(), candidate.x + tol.max()])
         near = order[low:high]
         same = near[np.abs(known[near] - circles[k]).max(axis=1) <= tol[near]]
-        accepted.append([disc for disc in same.tolist() if _ends_at(axis, contacts_of[disc], candidate)])
+        discs_there = [disc for disc in same.tolist() if _ends_at(axis, contacts_of[disc], candidate)]
+        if not discs_there and candidate.kind == "convex vertex":
+            discs_there = axis.contacts.disc[_arcs_to(axis, candidate.place)].tolist()
+        accepted.append(discs_there)
     return accepted
+
+
+def _arcs_to(axis: MedialAxis, place: Place) -> NDArray[np.bool_]:
+    """Tell of each contact whether it is an arc that starts or ends at a place, on a disc that fills it."""
+    first, last = axis.contacts.first, axis.contacts.last
+    is_arc = (first[:, 0] != last[:, 0]) & (first[:, 1] == 0.0) & (last[:, 1] == 0.0)
+    return is_arc & ((first == place).all(axis=1) | (last == place).all(axis=1))
 
 
 def _ends_at(axis: MedialAxis, contacts: list[int], candidate: Candidate) -> bool:
@@ -210,7 +221,7 @@ def _has_witness(tour: Tour, candidate: Candidate) -> bool:
 
 
 @compiled
-def _turns(tour: Tour) -> Floats:
+def turns(tour: Tour) -> Floats:
     """Angle by which the tangent turns at the start of each element, radians; 0 at cones, which have turned already."""
     turns = np.zeros(len(tour.element))
     for e in range(len(turns)):

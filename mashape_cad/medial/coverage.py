@@ -16,6 +16,9 @@ profile whatever the discs are. They serve to tell at which piece a fault lies.)
 Radii between the settled discs are found anew here, by Gauss-Kronrod quadrature that halves where it is not sure. What
 rounding may do to a radius is integrated along: two feet a distance h apart tell it to about ``r^2 / h^2`` roundings
 only. That is nothing, save in the thin branches of kinks of 1e-7 radians, whose stretches are as short.
+
+Where two edges meet at a kink that is rounding, one disc touches both, and the spokes on either side of the kink overlap
+by ``kink r^2 / 2``, or leave as much out: that is taken off the whole, and allowed at the pieces beside it.
 """
 
 from collections.abc import Iterator
@@ -24,6 +27,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mashape_cad.geometry.edge import Floats
+from mashape_cad.medial.candidates import turns
 from mashape_cad.medial.graph import MedialAxis
 from mashape_cad.medial.objection import Objection
 from mashape_cad.medial.sweep import swept_by_arcs, swept_by_pieces
@@ -62,9 +66,22 @@ def coverage(axis: MedialAxis, whole: float) -> Coverage:
         tour, pieces.element, pieces.low, pieces.high, pieces.disc, centre, radius
     )
     arcs = swept_by_arcs(tour, contacts.first, contacts.last, radius[contacts.disc])
-    excess, uncertain = (swept - region) * size**2, uncertain * size**2
-    area = float(swept.sum() + arcs.sum()) * size**2
+    overlap = _overlap_at_kinks(axis)
+    excess = (swept - region) * size**2
+    uncertain = (uncertain + np.abs(overlap)[pieces.disc].sum(axis=1)) * size**2
+    area = float(swept.sum() + arcs.sum() - overlap.sum()) * size**2
     return Coverage(area, excess, uncertain, tuple(_objections(axis, whole, area, excess, uncertain)))
+
+
+def _overlap_at_kinks(axis: MedialAxis) -> Floats:
+    """By how much spokes overlap where a disc touches at kinks, in the tour's scale: (n,) for the discs."""
+    contacts, turned = axis.contacts, np.append(turns(axis.tour), 0.0)
+    first, last = contacts.first[:, 0].astype(int), contacts.last[:, 0].astype(int)
+    turn = np.where(contacts.first[:, 1] == 0.0, turned[first], 0.0)
+    is_arc = (contacts.first != contacts.last).any(axis=1)
+    turn += np.where(is_arc & (contacts.last[:, 1] == 0.0), turned[last], 0.0)
+    radius = axis.discs.radius / axis.frame.size
+    return np.bincount(contacts.disc, turn, minlength=len(radius)) * radius**2 / 2
 
 
 def _objections(axis: MedialAxis, whole: float, area: float, excess: Floats, uncertain: Floats) -> Iterator[Objection]:

@@ -42,6 +42,9 @@ __all__ = ["curvature_candidates", "ends", "falling_roots", "settle_ends"]
 # Radii and centres of arcs are rounded in files: an arc that fills a slot's end misses the slot's other wall by up to
 # this (sizes), and still touches it. What it misses by is recorded as the disc's tolerance.
 _ARC = 1e-8
+# A kink at the end of an arc is rounding, and the vertex belongs to the arc's disc, where the neighbour enters that disc
+# by less than half of this (sizes). A wider one is a vertex with a branch of its own.
+_KINK = 1e-12
 # A contact this close (sizes) to the end of an arc on the same circle belongs to that arc.
 _ARC_END = 1e-6
 # Arcs whose centres and radii agree this well (sizes) lie on one circle.
@@ -115,7 +118,7 @@ def _settle_arcs(tour: Tour, faces: Faces) -> bool:
         if holds_sample(tour, x, y, r, _ARC):
             continue
         deepest = touching(tour, x, y, r, _ARC, first, _ARC)[0]
-        if deepest < -_ARC:
+        if deepest < -_ARC or r * _widest_kink(tour, first, last) ** 2 > _KINK:
             continue
         tol = max(TOUCH, _off_circle(tour, first, last, x, y, r), -deepest)
         if all_round:
@@ -132,6 +135,18 @@ def _settle_arcs(tour: Tour, faces: Faces) -> bool:
     for number in range(faces.used[DISCS]):
         _add_points(tour, faces, number)
     return False
+
+
+@compiled
+def _widest_kink(tour: Tour, first: int, last: int) -> float:
+    """Angle (radians) of the wider one of the convex vertices at the ends of a run of arcs; 0 if there is none."""
+    widest = 0.0
+    for e in (first, tour.element[last].after):
+        if tour.element[e].convex:
+            _, _, ax, ay, _, _ = site(tour, tour.element[e].before, 1.0)
+            _, _, bx, by, _, _ = site(tour, e, 0.0)
+            widest = max(widest, abs(math.atan2(ax * by - ay * bx, ax * bx + ay * by)))
+    return widest
 
 
 @compiled

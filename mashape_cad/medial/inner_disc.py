@@ -11,7 +11,7 @@ import numpy as np
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.compiled import compiled
 from mashape_cad.medial.disc import twin_on_stretch
-from mashape_cad.medial.emptiness import NO_SKIP, distance_minima
+from mashape_cad.medial.emptiness import EMPTY, NO_SKIP, distance_minima
 from mashape_cad.medial.graph import MedialAxis
 from mashape_cad.medial.objection import Objection
 from mashape_cad.medial.tour import Ints, Tour, site
@@ -22,7 +22,6 @@ __all__ = ["inner_disc_objections"]
 # discs at the ends have on record: the twin of a place close to an osculating end is known no better.
 _INSIDE = 1e-9
 _SHORT = 1e-6  # end discs that differ by less (sizes) have no room between them for a disc that tells more
-_THIN = 1e-2  # feet of a wedge this near one another, in radii, leave too few digits of the radius
 # Newton's method for a disc of given radius: steps, at most; the least stiffness of a foot, which follows a circle of
 # its own curvature without resistance; and the move (parameter) below which feet are at rest.
 _STEPS, _STIFF, _AT_REST = 50, 1e-3, 1e-15
@@ -58,28 +57,37 @@ def _inner_discs(tour: Tour, element: Ints, low: Floats, high: Floats, ends: Flo
 def _inner_disc(tour: Tour, element: Ints, low: Floats, high: Floats, first: Floats, last: Floats) -> Floats:
     """Figures of a disc inside a piece whose end discs (x, y, r) are given; see `_inner_discs`.
 
-    It touches the middle of side 0. In a thin wedge, which ends in one convex vertex, it is the one of half the radius:
-    where two edges turn by 1e-7 only, feet are too near one another to tell the radius, but the radius tells the feet.
-    Of a piece whose end discs are nearly one, it is the mean of the two.
+    It touches the middle of side 0. Of a piece whose end discs are nearly one, it is the mean of the two. In a wedge,
+    which ends in one convex vertex, the one of half the radius is tried too: where two edges turn by 1e-7 only, feet
+    are too near one another to tell the radius, but the radius tells the feet. Any disc inside the piece will do.
     """
     e, f = element[0], element[1]
     t = (low[0] + high[0]) / 2
     x, y, r, s = twin_on_stretch(tour, e, t, f, low[1], high[1])
-    widest = max(first[2], last[2])
     if np.abs(first - last).sum() < _SHORT:
         x, y, r = (first + last) / 2
         s = (low[1] + high[1]) / 2
-    elif (first[2] == 0.0) != (last[2] == 0.0):
-        px, py, _, _, _, _ = site(tour, e, t)
-        qx, qy, _, _, _, _ = site(tour, f, s)
-        if np.hypot(qx - px, qy - py) < _THIN * widest:
-            x, y, r, t, s = _disc_of_radius(tour, e, t, f, (low[1] + high[1]) / 2, widest / 2)
+    figures = _figures(tour, element, low, high, t, s, x, y, r)
+    if (first[2] == 0.0) != (last[2] == 0.0):
+        x, y, r, t, s = _disc_of_radius(tour, e, t, f, (low[1] + high[1]) / 2, max(first[2], last[2]) / 2)
+        by_radius = _figures(tour, element, low, high, t, s, x, y, r)
+        if by_radius[2:].max() < figures[2:].max():
+            figures = by_radius
+    return figures
+
+
+@compiled
+def _figures(
+    tour: Tour, element: Ints, low: Floats, high: Floats, t: float, s: float, x: float, y: float, r: float
+) -> Floats:
+    """Figures of one disc with its two feet; see `_inner_discs`."""
     found, _, _, depth = distance_minima(tour, x, y, r, 0.0, NO_SKIP, np.inf)
     deepest = 0.0
     for k in range(found):
         deepest = min(deepest, depth[k])
-    off = max(_off_stretch(tour, e, t, low[0], high[0], x, y, r), _off_stretch(tour, f, s, low[1], high[1], x, y, r))
-    return np.array([x, y, -deepest, off])
+    off_here = _off_stretch(tour, element[0], t, low[0], high[0], x, y, r)
+    off_there = _off_stretch(tour, element[1], s, low[1], high[1], x, y, r)
+    return np.array([x, y, -deepest, max(off_here, off_there)])
 
 
 @compiled
@@ -112,5 +120,6 @@ def _disc_of_radius(
 def _off_stretch(tour: Tour, e: int, t: float, low: float, high: float, x: float, y: float, r: float) -> float:
     """How far a disc is from touching a stretch at a place: distance, slant, or how far the place lies outside."""
     qx, qy, nx, ny, _, speed = site(tour, e, t)
-    outside = max(low - t, t - high, 0.0) * max(speed, r)
+    # Where the stretch ends is known as well as the feet of the discs there: to the root of the distance's rounding.
+    outside = max(max(low - t, t - high, 0.0) * max(speed, r) - np.sqrt(8 * r * EMPTY), 0.0)
     return max(abs(np.hypot(x - qx, y - qy) - r), abs((x - qx) * nx + (y - qy) * ny - r), outside)
