@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar, cast
 
-from numba import njit
+from numba import config, njit
 
 __all__ = ["compiled"]
 
@@ -27,6 +27,8 @@ def compiled(function: Function) -> Function:
     Division by zero gives an infinity or NaN, as in numpy, and no exception: exceptions would double the code, and what
     stands still is refused beforehand (`validity`).
     """
+    if config.DISABLE_JIT:
+        return function
     dispatcher = njit(cache=True, error_model="numpy")(function)
     # What is compiled holds copies of the functions it calls, but the cache looks at the caller's own file only: it
     # would keep old code when another module changes. So it is told to look at all of them.

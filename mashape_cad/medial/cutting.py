@@ -161,8 +161,8 @@ def _resolved(tour: Tour, faces: Faces, face: Ints, rounds: int) -> tuple[bool, 
         parts = _split_by_cluster(tour, faces, face, _CLUSTER)
         if len(parts) > 1:
             return True, 0, parts
-    if len(face) > 2 and (rounds == _ROUNDS or _extent(faces, face) < _CLUSTER):
-        parts = _split_by_corner(tour, faces, face)
+    if rounds == _ROUNDS or _extent(faces, face) < _CLUSTER:
+        parts = _contracted(tour, faces, face)
         if len(parts) > 1:
             return True, 0, parts
     known = faces.used[CONTACTS]
@@ -174,7 +174,7 @@ def _resolved(tour: Tour, faces: Faces, face: Ints, rounds: int) -> tuple[bool, 
             _add_station(tour, faces, tour.element[e].after, 0.0)
     if faces.used[CONTACTS] > known:
         return True, rounds + 1, np.concatenate((face, np.arange(known, faces.used[CONTACTS])))
-    parts = _split_strip(tour, faces, face) if len(face) == 2 else _split_by_corner(tour, faces, face)
+    parts = _contracted(tour, faces, face)
     return len(parts) > 1, 0, parts
 
 
@@ -399,6 +399,12 @@ def _split_by_cluster(tour: Tour, faces: Faces, face: Ints, tol: float) -> Ints:
             continue
         return _split(tour, faces, face, feet, x, y, r, CLUSTER, max(error, TOUCH))
     return face[:0]
+
+
+@compiled
+def _contracted(tour: Tour, faces: Faces, face: Ints) -> Ints:
+    """Split a face of which stations no longer tell one place from another, as that of one disc or of a known twin."""
+    return _split_strip(tour, faces, face) if len(face) == 2 else _split_by_corner(tour, faces, face)
 
 
 @compiled

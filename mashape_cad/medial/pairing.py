@@ -169,10 +169,13 @@ def _turn_objections(axis: MedialAxis, after: Ints) -> Iterator[Objection]:
     partner = of_side[number ^ 1]
     angle = _spoke_angles(axis.tour, contacts.first)
     turn = (angle[after] - angle[partner]) % (2 * np.pi)
-    turn[turn > 2 * np.pi - _ANGLE] = 0.0
-    whole = np.bincount(contacts.disc[after], turn, minlength=len(axis.discs.radius))
-    expected = np.where(np.bincount(contacts.disc, minlength=len(whole)) > 1, 2 * np.pi, 0.0)
-    for disc in np.flatnonzero(np.abs(whole - expected) > 1):
+    # Next to a whole turn it may be one, about a disc in a thin wedge, or none, less rounding, between contacts that
+    # all but coincide.
+    none = np.where(turn > 2 * np.pi - _ANGLE, 0.0, turn)
+    count = len(axis.discs.radius)
+    expected = np.where(np.bincount(contacts.disc, minlength=count) > 1, 2 * np.pi, 0.0)
+    off = [np.abs(np.bincount(contacts.disc[after], each, minlength=count) - expected) for each in (turn, none)]
+    for disc in np.flatnonzero(np.minimum(*off) > 1):
         text = f"the stretches about disc {disc} do not follow one another clockwise"
         yield Objection.at("pairing", text, axis.discs.centre[disc])
 
