@@ -35,8 +35,8 @@ from mashape_cad.medial.tour import Ints, Tour, site
 
 __all__ = ["maximal_disc", "twin_on_stretch"]
 
-# Samples on a stretch whose best one starts the search for a twin. Towards a convex vertex they crowd by this factor
-# from one to the next, down to a millionth of a millionth of the stretch.
+# Samples on a stretch whose best one starts the search for a twin. Towards a vertex they crowd by this factor from one
+# to the next, down to a millionth of a millionth of the stretch.
 _SAMPLES, _SAMPLES_CROWDED, _CROWDING = 12, 48, 0.25
 _TINY = 1e-300  # a height below this counts as none: a quotient by it would overflow
 _STRAIGHT = 1e-9  # a curvature below this bounds no disc; _WIDEST does
@@ -275,8 +275,11 @@ def twin_on_stretch(tour: Tour, e: int, t: float, f: int, low: float, high: floa
         r = min(limit, _radius(px, py, nx, ny, tour.control[f, 0, 0], tour.control[f, 0, 1]))
         x, y = px + r * nx, py + r * ny
         return x, y, r, min(max(cone_turn(tour, f, x, y), low), high)
-    # Next to a convex vertex the twin is as near to it as the place is: samples crowd there.
-    crowded = (low == 0.0 and tour.element[f].convex) or (high == 1.0 and tour.element[tour.element[f].after].convex)
+    # Next to a convex vertex, and to an end where curvature jumps at the border of two spans, the twin is as near to
+    # that as the place is: samples crowd there.
+    crowded = (low == 0.0 and (tour.element[f].convex or tour.element[f].before == e)) or (
+        high == 1.0 and (tour.element[tour.element[f].after].convex or tour.element[f].after == e)
+    )
     count = _SAMPLES_CROWDED if crowded else _SAMPLES
     best_k, best = 0, math.inf
     for k in range(count + 1):

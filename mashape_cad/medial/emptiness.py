@@ -33,6 +33,7 @@ __all__ = [
 # osculating contact the boundary enters by a cube law, and 1e-10 would let discs through that miss a short branch.
 EMPTY = 1e-13
 _SNAP = 1e-9  # parameters this close to a border are the border
+_LEVEL = 1e-9  # a slope (radians) of the distance at a border that rounding may have made
 _SAME_CIRCLE = 1e-8  # arcs whose centres and radii agree this well lie on one circle
 _RESOLUTION = 1e-16  # spacing of numbers near 1
 # Minima on a span: a stretch this short is not halved any more, a minimum this near to its end is looked for beyond it
@@ -365,8 +366,9 @@ def contact_at_border(tour: Tour, e: int, at_start: bool, cx: float, cy: float) 
     left = tour.element[border].before
     _, _, ux, uy, _, _ = evaluate(tour.control[left], tour.element[left].degree, 1.0)
     reach = math.hypot(x - cx, y - cy)
-    rising_right = (dx * (x - cx) + dy * (y - cy)) / math.hypot(dx, dy) > -1e-6 * reach
-    falling_left = (ux * (x - cx) + uy * (y - cy)) / math.hypot(ux, uy) < 1e-6 * reach
+    speed_right, speed_left = math.hypot(dx, dy), math.hypot(ux, uy)
+    rising_right = (dx * (x - cx) + dy * (y - cy)) / speed_right > -(_LEVEL * reach + 2 * _SNAP * speed_right)
+    falling_left = (ux * (x - cx) + uy * (y - cy)) / speed_left < _LEVEL * reach + 2 * _SNAP * speed_left
     return border, 0.0, rising_right and falling_left
 
 

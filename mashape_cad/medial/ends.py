@@ -33,6 +33,7 @@ from mashape_cad.medial.faces import (
     add_contact,
     add_disc,
     blank_faces,
+    on_contact,
     settled_discs,
 )
 from mashape_cad.medial.tour import ROUND, Ints, Tour, site
@@ -151,26 +152,40 @@ def _widest_kink(tour: Tour, first: int, last: int) -> float:
 
 @compiled
 def _joined_arcs(tour: Tour) -> NDArray[np.bool_]:
-    """Tell of each element whether it goes on with the inward arc of the element before it."""
+    """Tell of each element whether it goes on with the inward arc of the element before it.
+
+    So does a line between two arcs of one circle: it is no longer than their centres are apart.
+    """
     joined = np.zeros(len(tour.element), np.bool_)
     for e in range(len(tour.element)):
-        here, before = tour.element[e], tour.element[tour.element[e].before]
-        if math.isnan(here.round_radius) or math.isnan(before.round_radius) or here.convex:
-            continue
-        shift = math.hypot(before.round_x - here.round_x, before.round_y - here.round_y)
-        joined[e] = shift <= _SAME_CIRCLE and abs(before.round_radius - here.round_radius) <= _SAME_CIRCLE
+        before, after = tour.element[e].before, tour.element[e].after
+        if _on_one_circle(tour, before, e) and not tour.element[e].convex:
+            joined[e] = True
+        elif tour.element[e].degree == 1 and before != after and _on_one_circle(tour, before, after):
+            ax, ay, _, _, _, _ = site(tour, e, 0.0)
+            bx, by, _, _, _, _ = site(tour, e, 1.0)
+            if math.hypot(bx - ax, by - ay) <= _SAME_CIRCLE:
+                joined[e] = joined[after] = True
     return joined
 
 
 @compiled
+def _on_one_circle(tour: Tour, e: int, f: int) -> bool:
+    """Whether two elements are inward arcs with one circle."""
+    a, b = tour.element[e], tour.element[f]
+    shift = math.hypot(a.round_x - b.round_x, a.round_y - b.round_y)
+    return shift <= _SAME_CIRCLE and abs(a.round_radius - b.round_radius) <= _SAME_CIRCLE
+
+
+@compiled
 def _starts_run(tour: Tour, joined: NDArray[np.bool_], e: int) -> bool:
-    """Whether a run of arcs on one circle starts at an element; one all round starts at its lowest element."""
+    """Whether a run of arcs on one circle starts at an element; one all round starts at its lowest arc."""
     if math.isnan(tour.element[e].round_radius):
         return False
     if not joined[e]:
         return True
     at = tour.element[e].after
-    while at > e and joined[at]:
+    while joined[at] and (at > e or math.isnan(tour.element[at].round_radius)):
         at = tour.element[at].after
     return at == e
 
@@ -181,10 +196,11 @@ def _run(tour: Tour, joined: NDArray[np.bool_], first: int) -> tuple[float, floa
     x = y = r = 0.0
     count, last = 0, first
     while True:
-        x += tour.element[last].round_x
-        y += tour.element[last].round_y
-        r += tour.element[last].round_radius
-        count += 1
+        if not math.isnan(tour.element[last].round_radius):
+            x += tour.element[last].round_x
+            y += tour.element[last].round_y
+            r += tour.element[last].round_radius
+            count += 1
         after = tour.element[last].after
         if after == first or not joined[after]:
             break
@@ -235,6 +251,7 @@ def _add_points(tour: Tour, faces: Faces, number: int) -> None:
             if arc.disc == number:
                 is_new = (
                     is_new
+                    and not on_contact(faces, c, element[k], t[k])
                     and apart(tour, element[k], t[k], arc.first_e, arc.first_t) > clear
                     and apart(tour, element[k], t[k], arc.last_e, arc.last_t) > clear
                     and not follows_circle(tour, arc.last_e, arc.last_t, element[k], t[k], x, y, r, 2 * tol)

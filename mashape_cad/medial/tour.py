@@ -518,7 +518,10 @@ def _fill_samples(tour: Tour) -> None:
 
 @compiled
 def _circle(control: Floats, degree: int) -> tuple[float, float, float]:
-    """Centre and radius of the circle that a span follows within `ROUND`, bending inwards; NaN if there is none."""
+    """Centre and radius of the circle that a span follows within `ROUND`, bending inwards; NaN if there is none.
+
+    A short span tells its centre by the square of its angle less well, and has to follow the circle as much better.
+    """
     px, py, _, _, _, _ = evaluate(control, degree, 0.0)
     mx, my, _, _, _, _ = evaluate(control, degree, 0.5)
     qx, qy, _, _, _, _ = evaluate(control, degree, 1.0)
@@ -529,10 +532,11 @@ def _circle(control: Floats, degree: int) -> tuple[float, float, float]:
         return math.nan, math.nan, math.nan
     x, y = px + (vy * u_sq - uy * v_sq) / (2 * cross), py + (ux * v_sq - vx * u_sq) / (2 * cross)
     r = math.hypot(px - x, py - y)
+    near = ROUND * min(1.0, 4 * u_sq / (r * r))
     heaviest = 0.0
     for i in range(degree + 1):
         heaviest = max(heaviest, control[i, 2])
     for power in power_distance(control, degree, x, y, r):
-        if abs(power) > 2 * r * ROUND * heaviest * heaviest:
+        if abs(power) > 2 * r * near * heaviest * heaviest:
             return math.nan, math.nan, math.nan
     return x, y, r
