@@ -4,8 +4,9 @@ An axis ends in convex vertices, and in discs that osculate the boundary at a lo
 along a whole arc (Choi, Choi, Moon 1997). All such places are listed from the boundary alone. Of each, either its disc
 is one of the axis that touches there: an end, or with contacts elsewhere too; or a boundary point lies strictly inside
 its disc: the witness that rejects it. A vertex at which a rounded arc meets its neighbour at a kink that is rounding
-belongs to the disc that fills the arc: with its tolerance, that disc touches there. Together with the counting identity this shows that no end is missing, and so no
-junction: an end that was forgotten along with its junction cancels in the sum, but not here.
+belongs to the disc that fills the arc: with its tolerance, that disc touches there. Together with the counting identity
+this shows that no end is missing, and so no junction: an end that was forgotten along with its junction cancels in the
+sum, but not here.
 
 Conversely every end of the axis must be one of these places.
 """

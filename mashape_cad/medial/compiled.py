@@ -27,7 +27,7 @@ def compiled(function: Function) -> Function:
     Division by zero gives an infinity or NaN, as in numpy, and no exception: exceptions would double the code, and what
     stands still is refused beforehand (`validity`).
     """
-    if config.DISABLE_JIT:
+    if config.DISABLE_JIT:  # type: ignore[attr-defined]
         return function
     dispatcher = njit(cache=True, error_model="numpy")(function)
     # What is compiled holds copies of the functions it calls, but the cache looks at the caller's own file only: it

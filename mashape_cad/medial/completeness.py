@@ -68,10 +68,10 @@ def completeness(axis: MedialAxis, diagonal: float, per_span: int) -> Completene
     edge, u = _feet(axis, element, t)
     point, normal, bend = _boundary_at(axis.profile, edge, u)
     expected = _maximal_discs(axis.profile, diagonal, point, normal, bend)
-    found, piece = _discs_of_axis(axis, element, t)
+    found, ends = _discs_of_axis(axis, element, t)
     error = np.abs(expected - found).max(axis=1)
-    for k in np.flatnonzero((error > _SLID * diagonal) & (piece >= 0)):
-        error[k] = min(error[k], _off_branch(axis, int(piece[k]), expected[k]))
+    for k in np.flatnonzero(error > _SLID * diagonal):
+        error[k] = min(error[k], _off_branch(axis, ends[k], expected[k]))
     objections = tuple(_objections(axis, diagonal, edge, u, point, error))
     return Completeness(point, error, objections)
 
@@ -133,7 +133,15 @@ def _maximal_discs(profile: Profile, diagonal: float, point: Floats, normal: Flo
 
 
 def _discs_of_axis(axis: MedialAxis, element: Ints, t: Floats) -> tuple[Floats, Ints]:
-    """Discs that the axis has at places of its tour: centres and radii, (n, 3), mm; and the piece, -1 on an arc."""
+    """Return the discs that an axis has at places of its tour.
+
+    Returns
+    -------
+    discs : (n, 3) array
+        Centres and radii, mm.
+    ends : (n, 2) array
+        The settled discs at the ends of the piece that they are on; twice the same where the contact is an arc.
+    """
     contact, on_arc = contact_before(axis, element, t)
     disc = axis.contacts.disc[contact]
     found = np.column_stack([axis.discs.centre[disc], axis.discs.radius[disc]])
@@ -143,18 +151,20 @@ def _discs_of_axis(axis: MedialAxis, element: Ints, t: Floats) -> tuple[Floats, 
         if number >= 0 and len(here):
             found[here] = discs_on_piece(axis, number // 2, t[here], number % 2)[:, :3] * axis.frame.size
             found[here, :2] += axis.frame.middle
-    return found, np.where(on_arc, -1, piece)
+    ends = np.repeat(disc[:, None], 2, axis=1)
+    between = ~on_arc & (piece >= 0)
+    ends[between] = axis.pieces.disc[piece[between]]
+    return found, ends
 
 
-def _off_branch(axis: MedialAxis, piece: int, disc: Floats) -> float:
-    """Distance of a disc, (3,), from a piece and those that go on from its ends, mm.
+def _off_branch(axis: MedialAxis, ends: Ints, disc: Floats) -> float:
+    """Distance of a disc, (3,), from the pieces that end at some settled discs, mm.
 
     Near an osculating end, discs of neighbouring places hardly differ, and which of them touches a place is known to
-    the root of the rounding only: the disc is on the branch all the same.
+    the root of the rounding only, and whether it is the end's: the disc is on the branch all the same.
     """
-    ends = axis.pieces.disc[piece]
     beside = np.flatnonzero(np.isin(axis.pieces.disc, ends).any(axis=1))
-    return min(_off_piece(axis, int(number), disc) for number in beside)
+    return min((_off_piece(axis, int(number), disc) for number in beside), default=np.inf)
 
 
 def _off_piece(axis: MedialAxis, piece: int, disc: Floats) -> float:

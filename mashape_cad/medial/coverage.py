@@ -17,8 +17,8 @@ Radii between the settled discs are found anew here, by Gauss-Kronrod quadrature
 rounding may do to a radius is integrated along: two feet a distance h apart tell it to about ``r^2 / h^2`` roundings
 only. That is nothing, save in the thin branches of kinks of 1e-7 radians, whose stretches are as short.
 
-Where two edges meet at a kink that is rounding, one disc touches both, and the spokes on either side of the kink overlap
-by ``kink r^2 / 2``, or leave as much out: that is taken off the whole, and allowed at the pieces beside it.
+Where two edges meet at a kink that is rounding, one disc touches both, and the spokes on either side of it overlap by
+``kink r^2 / 2``, or leave as much out: that is taken off the whole, and allowed at the pieces beside it.
 """
 
 from collections.abc import Iterator

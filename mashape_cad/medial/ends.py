@@ -43,8 +43,8 @@ __all__ = ["curvature_candidates", "ends", "falling_roots", "settle_ends"]
 # Radii and centres of arcs are rounded in files: an arc that fills a slot's end misses the slot's other wall by up to
 # this (sizes), and still touches it. What it misses by is recorded as the disc's tolerance.
 _ARC = 1e-8
-# A kink at the end of an arc is rounding, and the vertex belongs to the arc's disc, where the neighbour enters that disc
-# by less than half of this (sizes). A wider one is a vertex with a branch of its own.
+# A kink at the end of an arc is rounding, and the vertex belongs to the arc's disc, where the neighbour enters that
+# disc by less than half of this (sizes). A wider one is a vertex with a branch of its own.
 _KINK = 1e-12
 # A contact this close (sizes) to the end of an arc on the same circle belongs to that arc.
 _ARC_END = 1e-6

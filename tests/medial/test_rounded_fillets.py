@@ -1,4 +1,4 @@
-"""Fillets whose ends are rounded to a file's digits: they meet their neighbours at kinks of every size."""
+"""Fillets that are almost something else: ends rounded to a file's digits, or radii that all but meet."""
 
 import numpy as np
 import pytest
@@ -58,3 +58,21 @@ def test_an_arc_all_but_filled_by_a_disc_next_to_it():
 def test_a_disc_in_a_thin_wedge_turns_by_all_but_a_whole_turn():
     """Its two feet lie 1e-5 radians apart; the rest of the turn is not rounding."""
     check(20.0, 4, [10])
+
+
+@pytest.mark.parametrize("less", [1e-8, 3e-8, 1e-7, 1e-6, 1e-5, 1e-3])
+@pytest.mark.parametrize("shares", [(1, 1, 0, 0), (0, 1, 0, 1e6), (1, 1, 1, 1), (1, 0, 0, 0)])
+def test_a_rectangle_that_is_almost_a_stadium(less, shares):
+    """Between fillets whose radii are all but half the height lies a line of next to no length."""
+    radii = [2 - min(share * less, 0.1) for share in shares]
+    profile = Profile.of(rounded([(0, 0), (6, 0), (6, 4), (0, 4)], radii))
+    assert certificate(medial_axis(profile), STATIONS).reason == ""
+
+
+@pytest.mark.parametrize("less", [1e-8, 3e-9])
+def test_a_square_that_is_almost_a_disc(less):
+    """Four arcs of one circle and four lines shorter than rounding of it: one disc."""
+    profile = Profile.of(rounded([(0, 0), (4, 0), (4, 4), (0, 4)], [2 - less] * 4))
+    axis = medial_axis(profile)
+    assert axis.nodes.kind == ("disc",)
+    assert certificate(axis, STATIONS).reason == ""
