@@ -69,7 +69,7 @@ def test_readme_has_the_commands_that_are_checked():
     checked = (REPOSITORY / ".ci" / "run").read_text(encoding="utf-8")
     for command in (
         "mashape-cad scan samples",
-        "mashape-cad search samples/airplane-4.dxf -k 7 -o search.png",
+        "mashape-cad search samples/freeform80/airplane-4.dxf -k 7 -o search.png",
         "pytest -n 2",
     ):
         assert command in README
