@@ -21,7 +21,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Measures", "Protocol", "means", "measures", "ranking"]
+__all__ = ["Measures", "Protocol", "means", "measures", "measures_of_ranking", "ranking"]
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.intp]
@@ -92,7 +92,11 @@ def ranking(distances: Floats, labels: Sequence[str]) -> Ints:
 
 def measures(distances: Floats, labels: Sequence[str], protocol: Protocol = Protocol.PAPER) -> Measures:
     """Return the measures of each query; for parameters and errors see `ranking`."""
-    order = ranking(distances, labels)
+    return measures_of_ranking(ranking(distances, labels), labels, protocol)
+
+
+def measures_of_ranking(order: Ints, labels: Sequence[str], protocol: Protocol) -> Measures:
+    """Return the measures of each query from the order in which it finds all shapes, as `ranking` returns it."""
     hits = np.take_along_axis(_are_mates(labels), order, axis=1)  # column 0 is the query itself
     members = hits.sum(axis=1)
     counted = hits if protocol is Protocol.PAPER else hits[:, 1:]
