@@ -56,6 +56,14 @@ def test_readme_examples(scanned, monkeypatch):
     assert results.failed == 0
 
 
+def test_examples_of_the_evaluation():
+    """The Python session of docs/evaluation.md gives what it shows."""
+    text = (REPOSITORY / "docs" / "evaluation.md").read_text(encoding="utf-8")
+    session = "".join(re.findall(r"```python\n(.*?)```", text, re.DOTALL))
+    results = doctest.DocTestRunner().run(doctest.DocTestParser().get_doctest(session, {}, "evaluation.md", None, 0))
+    assert (results.attempted, results.failed) == (3, 0)
+
+
 def test_readme_names_every_command():
     """A command of the program that README does not show is an undocumented one."""
     from mashape_cad.cli.main import commands

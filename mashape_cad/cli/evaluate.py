@@ -128,5 +128,5 @@ def _told_what_is_left_out(labelled: "LabelledSet", quiet: bool) -> int:
     if not quiet:
         names = ", ".join(path.name for path in labelled.left_out[:MOST_NAMED])
         more = ", ..." if len(labelled.left_out) > MOST_NAMED else ""
-        click.echo(f"{len(labelled.left_out)} files take no part, having no medial axis: {names}{more}", err=True)
+        click.echo(f"take no part, having no medial axis: {names}{more} ({len(labelled.left_out)})", err=True)
     return SOME_FAILED
