@@ -24,6 +24,7 @@ __all__ = [
 ]
 
 MEAN = "mean"
+_HALVES_UP = 1e-9  # far below what is shown, far above the rounding of a mean
 _PROTOCOL_SENTENCES = {
     Protocol.PAPER: "the query counts: K = C and 2C in a class of C",
     Protocol.PRINCETON: "the query is left out: K = C - 1 and 2(C - 1)",
@@ -62,8 +63,8 @@ def step_of(per_edge: int) -> str:
 
 
 def percent(share: float, digits: int = 0) -> str:
-    """Return a share as per cent; a dash for one that is not defined."""
-    return "-" if math.isnan(share) else f"{100 * share:.{digits}f}"
+    """Return a share as per cent, halves rounded up; a dash for one that is not defined."""
+    return "-" if math.isnan(share) else f"{100 * share + _HALVES_UP:.{digits}f}"
 
 
 def paper_grid(report: Report) -> Grid | None:
@@ -82,7 +83,7 @@ def paper_grid(report: Report) -> Grid | None:
         for row in rows:
             first, second = table.tiers[row[0]]
             row += [_tiers(here[row[0]]), f"{first} / {second}"]
-        mean += [_tiers(result.means, 1), "{:.1f} / {:.1f}".format(*table.means)]
+        mean += [_tiers(result.means, 1), " / ".join(percent(each / 100, 1) for each in table.means)]
     note = (
         "First / second tier, per cent; the query counts, K = 10 and 20. On the left measured on this reconstruction "
         "of the database, on the right as the paper prints it of its own, which was never published; its means are "
