@@ -77,6 +77,11 @@ class Evaluation:
         """Return the result of one mode in one protocol."""
         return next(each for each in self.results if (each.mode, each.protocol) == (mode, protocol))
 
+    @property
+    def modes(self) -> tuple[str, ...]:
+        """Names of the modes, in the order in which they were given."""
+        return tuple(self.orders)
+
 
 @dataclass(frozen=True, slots=True)
 class Times:
@@ -116,11 +121,14 @@ def evaluated(labels: Sequence[str], signatures: Signatures, modes: Sequence[Mod
     signatures : mapping of str to (n, d) arrays
         Their vectors.
     modes : sequence of Mode
+        Those that compare other vectors than these are left out.
     """
     orders, seconds = {}, {}
     for mode in modes:
+        if not signatures.keys() >= set(mode.vectors):
+            continue
         started = time.process_time()
-        orders[mode.name] = ranking(mode.distances(signatures), labels)
+        orders[mode.name] = ranking(mode.distances({name: signatures[name] for name in mode.vectors}), labels)
         seconds[mode.name] = time.process_time() - started
     results = tuple(_result(name, order, labels, protocol) for name, order in orders.items() for protocol in Protocol)
     return Evaluation(tuple(labels), results, orders, seconds)
@@ -146,6 +154,6 @@ def total_times(trials: Sequence[Trial], full: Evaluation, coarse: Evaluation) -
         axes=math.fsum(each.axis for each in spent),
         signatures=math.fsum(each.signature for each in spent),
         coarse_signatures=math.fsum(each.coarse_signature for each in spent),
-        queries=max(full.seconds.values()),
-        coarse_queries=max(coarse.seconds.values()),
+        queries=max(full.seconds.values(), default=0.0),
+        coarse_queries=max(coarse.seconds.values(), default=0.0),
     )

@@ -1,4 +1,4 @@
-"""Ways to compare the signatures of a set with one another: a `Mode` is a name and a function.
+"""Ways to compare the signatures of a set with one another: a `Mode` is a name, its vectors and a function.
 
 To add one, add its line to `MODES`: everything that measures, prints and draws goes through them.
 """
@@ -26,14 +26,17 @@ class Mode:
     ----------
     name : str
         As programs and people write it.
+    vectors : tuple of str
+        Names of the vectors that it compares; where a set lacks one, the mode is left out.
     distances : callable
-        From the signatures of a set to an (n, n) array: row i holds the distances of all shapes to query i. It need
+        From these vectors of a set to an (n, n) array: row i holds the distances of all shapes to query i. It need
         not be symmetric, and may look at the whole set (medians, neighbours).
     is_drawn : bool
         Whether sheets show what it finds, where it is one of several.
     """
 
     name: str
+    vectors: tuple[str, ...]
     distances: Callable[[Signatures], Floats]
     is_drawn: bool = True
 
@@ -43,27 +46,19 @@ def stacked(vectors: Sequence[Mapping[str, Sequence[float]]]) -> Signatures:
     return {name: np.array([each[name] for each in vectors], dtype=np.float64) for name in vectors[0]}
 
 
-def histograms(*names: str) -> Callable[[Signatures], Floats]:
-    """Return the paper's comparison by some of its functions (readings 15 and 16).
-
-    The Euclidean distance of the histograms; several are added up, each divided by its median over the set.
-    """
-
-    def distances(signatures: Signatures) -> Floats:
-        count = len(signatures[names[0]])
-        rows = [{name: signatures[name][row] for name in names} for row in range(count)]
-        stack = Stack.of(rows)
-        return np.array([stack.distances(row) for row in rows])
-
-    return distances
+def summed(signatures: Signatures) -> Floats:
+    """Return the paper's distance: Euclidean; several are added, each over its median in the set (readings 15, 16)."""
+    rows = [dict(zip(signatures, row, strict=True)) for row in zip(*signatures.values(), strict=True)]
+    stack = Stack.of(rows)
+    return np.array([stack.distances(row) for row in rows])
 
 
 MODES = (
-    Mode("paper-df", histograms("df")),
-    Mode("paper-rf", histograms("rf")),
-    Mode("paper-cf", histograms("cf")),
-    Mode("paper-df-rf", histograms("df", "rf"), is_drawn=False),
-    Mode("paper-df-cf", histograms("df", "cf"), is_drawn=False),
-    Mode("paper-rf-cf", histograms("rf", "cf"), is_drawn=False),
-    Mode("paper-all", histograms("df", "rf", "cf")),
+    Mode("paper-df", ("df",), summed),
+    Mode("paper-rf", ("rf",), summed),
+    Mode("paper-cf", ("cf",), summed),
+    Mode("paper-df-rf", ("df", "rf"), summed, is_drawn=False),
+    Mode("paper-df-cf", ("df", "cf"), summed, is_drawn=False),
+    Mode("paper-rf-cf", ("rf", "cf"), summed, is_drawn=False),
+    Mode("paper-all", ("df", "rf", "cf"), summed),
 )

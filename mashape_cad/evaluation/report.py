@@ -61,9 +61,8 @@ def report(labelled: LabelledSet, modes: Sequence[Mode], trials: Mapping[Path, T
     """
     shapes, labels = labelled.shapes, labelled.labels
     full = evaluated(labels, stacked([shape.record.vectors or {} for shape in shapes]), modes)
-    names = {mode.name for mode in modes}
-    tables = tuple(table for table in published(labels) if table.mode in names)
-    drawn = tuple(mode.name for mode in modes if mode.is_drawn or len(modes) == 1)
+    tables = tuple(table for table in published(labels) if table.mode in full.modes)
+    drawn = tuple(mode.name for mode in modes if mode.name in full.modes and (mode.is_drawn or len(modes) == 1))
     if any(shape.path not in trials for shape in shapes):
         return Report(labelled, full, None, None, tables, drawn)
     made = [trials[shape.path] for shape in shapes]

@@ -94,7 +94,9 @@ def paper_grid(report: Report) -> Grid | None:
 
 def _measured(report: Report, table: PublishedTable) -> ModeResult | None:
     evaluation = report.evaluation(table.per_edge)
-    return None if evaluation is None else evaluation.result(table.mode, Protocol.PAPER)
+    if evaluation is None or table.mode not in evaluation.modes:
+        return None
+    return evaluation.result(table.mode, Protocol.PAPER)
 
 
 def class_grid(report: Report, protocol: Protocol) -> Grid:
@@ -133,7 +135,7 @@ def sampling_grid(report: Report) -> Grid | None:
         return None
     steps = [step_of(report.per_edge), step_of(coarser(report.per_edge))]
     rows = []
-    for mode in report.full.orders:
+    for mode in report.coarse.modes:
         both = [each.result(mode, Protocol.PAPER).means for each in (report.full, report.coarse)]
         rows.append((mode_label(mode), *(_tiers(each, 1) for each in both)))
     note = "First / second tier, per cent, means over all queries; the query counts."

@@ -10,8 +10,9 @@ from mashape_cad.evaluation.modes import Mode
 LABELS = ("a", "a", "b", "b", "alone")
 PLACES = np.array([0.0, 2.0, 1.0, 1.9, 50.0])
 MODES = (
-    Mode("line", lambda signatures: np.abs(signatures["at"] - signatures["at"].T)),
-    Mode("nonsense", lambda signatures: np.zeros((len(signatures["at"]),) * 2)),
+    Mode("line", ("at",), lambda signatures: np.abs(signatures["at"] - signatures["at"].T)),
+    Mode("nonsense", ("at",), lambda signatures: np.zeros((len(signatures["at"]),) * 2)),
+    Mode("other", ("at", "of a later release"), lambda _: np.zeros((0, 0))),
 )
 
 
@@ -40,6 +41,11 @@ def test_means_of_classes_and_of_all_queries(found):
     assert math.isnan(tiers["alone"])
     assert result.means["first_tier"] == 0.25
     assert found.result("line", Protocol.PAPER).means["first_tier"] == (2 * 0.5 + 0.5 + 1.0) / 4
+
+
+def test_a_mode_whose_vectors_are_missing_is_left_out(found):
+    """As of sidecars of another release, or of the coarser sampling."""
+    assert found.modes == ("line", "nonsense")
 
 
 def test_orders_and_seconds_of_each_mode_are_kept(found):

@@ -36,7 +36,8 @@ def test_the_papers_functions_and_all_their_combinations_are_there():
 def test_distances_are_euclidean_and_added_up_over_their_medians(name):
     """Readings 15 and 16."""
     [mode] = [mode for mode in MODES if mode.name == name]
-    np.testing.assert_allclose(mode.distances(stacked(VECTORS)), EXPECTED[name], atol=1e-12)
+    vectors = {each: rows for each, rows in stacked(VECTORS).items() if each in mode.vectors}
+    np.testing.assert_allclose(mode.distances(vectors), EXPECTED[name], atol=1e-12)
 
 
 def test_distances_are_those_of_a_search(folder):
