@@ -11,6 +11,7 @@ __all__ = [
     "AXIS_STEP_REL",
     "AxisOptions",
     "Declared",
+    "EvaluateOptions",
     "PartOptions",
     "ReadOptions",
     "ScanOptions",
@@ -172,6 +173,16 @@ class ScanOptions:
 
     def __post_init__(self) -> None:
         _check(self)
+
+
+@dataclass(frozen=True, slots=True)
+class EvaluateOptions:
+    """What is found out of a labelled folder."""
+
+    quick: bool = _option(
+        default=False,
+        sentence="No running times and no coarser sampling: for them each part is computed anew, once.",
+    )
 
 
 @dataclass(frozen=True, slots=True)

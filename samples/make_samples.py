@@ -1,6 +1,7 @@
 """Make the sample parts of this folder: `python samples/make_samples.py [FOLDER]`.
 
-Nothing is drawn by chance, so the files are the same whenever they are made.
+Drawings go to its sub-folder `freeform80`, some of them as solids beside it. Nothing is left to chance but the
+proportions of some ells, whose seed is fixed, so the files are the same whenever they are made.
 """
 
 import sys
@@ -21,6 +22,7 @@ from shapely.geometry import LinearRing, Polygon
 from mashape_cad.geometry.edge import BSpline, Edge
 from mashape_cad.geometry.profile import Loop, Profile
 
+DATABASE = "freeform80"
 # These are written as extruded STEP parts too.
 EXTRUDED = ("airplane-1", "bird-1", "bracket-1", "bracket-2", "chassis-3", "ell-1", "gear-2", "map-3", "rect-1")
 CLOSED = 1e-12  # mm, how well ends meet
@@ -73,12 +75,14 @@ def _smallest_radius(edge: BSpline) -> float:
 def make(folder: Path) -> list[Path]:
     """Write all parts into `folder`; return the files."""
     written = []
+    drawings = folder / DATABASE
+    drawings.mkdir(parents=True, exist_ok=True)
     for name, profile in parts().items():
         try:
             check(profile)
         except ValueError as error:
             raise ValueError(f"{name}: {error}") from error
-        written.append(folder / f"{name}.dxf")
+        written.append(drawings / f"{name}.dxf")
         write_dxf(written[-1], profile)
         if name in EXTRUDED:
             written.append(folder / f"{name}.step")

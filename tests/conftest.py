@@ -31,6 +31,12 @@ def samples() -> Path:
 
 
 @pytest.fixture(scope="session")
+def freeform80(samples) -> Path:
+    """The eighty drawings among them: a reconstruction of the paper's database."""
+    return samples / "freeform80"
+
+
+@pytest.fixture(scope="session")
 def corpus() -> Path:
     """Real and hostile part files of other projects; without MASHAPE_CORPUS the test is skipped."""
     return _folder_of("MASHAPE_CORPUS")

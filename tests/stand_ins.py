@@ -6,6 +6,7 @@ import time
 from pathlib import Path
 
 from mashape_cad.errors import KernelUnavailableError
+from mashape_cad.evaluation.trial import Seconds, Trial
 from mashape_cad.findings import Finding, Severity
 from mashape_cad.library.freshness import source_of
 from mashape_cad.library.record import (
@@ -113,3 +114,12 @@ def slow_warm_up() -> None:
 def deadly_warm_up() -> None:
     """A machine on which workers cannot even start."""
     os._exit(9)
+
+
+def tried(path: Path, blake2b: str, profile: int, options: PartOptions) -> Trial:
+    """Stand in for a trial: times of round numbers, histograms by the length of the name."""
+    if path.stem.startswith("bug"):
+        raise ZeroDivisionError("division by zero")
+    bin_ = len(path.stem)
+    vectors = {name: histogram(bin_, bin_ + 1) for name in ("df", "rf", "cf")}
+    return Trial(blake2b, profile, CURRENT_SIGNATURE, options, Seconds(4.0, 2.0, 1.0, 0.5), vectors)

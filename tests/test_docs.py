@@ -56,6 +56,14 @@ def test_readme_examples(scanned, monkeypatch):
     assert results.failed == 0
 
 
+def test_examples_of_the_evaluation():
+    """The Python session of docs/evaluation.md gives what it shows."""
+    text = (REPOSITORY / "docs" / "evaluation.md").read_text(encoding="utf-8")
+    session = "".join(re.findall(r"```python\n(.*?)```", text, re.DOTALL))
+    results = doctest.DocTestRunner().run(doctest.DocTestParser().get_doctest(session, {}, "evaluation.md", None, 0))
+    assert (results.attempted, results.failed) == (3, 0)
+
+
 def test_readme_names_every_command():
     """A command of the program that README does not show is an undocumented one."""
     from mashape_cad.cli.main import commands
@@ -69,7 +77,7 @@ def test_readme_has_the_commands_that_are_checked():
     checked = (REPOSITORY / ".ci" / "run").read_text(encoding="utf-8")
     for command in (
         "mashape-cad scan samples",
-        "mashape-cad search samples/airplane-4.dxf -k 7 -o search.png",
+        "mashape-cad search samples/freeform80/airplane-4.dxf -k 7 -o search.png",
         "pytest -n 2",
     ):
         assert command in README

@@ -13,6 +13,7 @@ import click
 
 from mashape_cad.cli.axis import axis
 from mashape_cad.cli.certify import certify
+from mashape_cad.cli.evaluate import evaluate
 from mashape_cad.cli.scan import scan
 from mashape_cad.cli.search import search
 from mashape_cad.cli.show import show
@@ -37,7 +38,7 @@ def commands() -> None:
     """
 
 
-for _command in (scan, search, show, axis, certify):
+for _command in (scan, search, show, axis, certify, evaluate):
     commands.add_command(_command)
 
 

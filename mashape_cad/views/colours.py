@@ -7,7 +7,7 @@ import numpy as np
 
 from mashape_cad.views.drawing import Floats
 
-__all__ = ["ACCENT", "DARK_AXIS", "LIGHT_AXIS", "PAPER", "Theme", "runs_by_colour"]
+__all__ = ["ACCENT", "DARK_AXIS", "LIGHT_AXIS", "PAGE", "PAPER", "Theme", "runs_by_colour"]
 
 # The map "plasma" of N. Smith and S. van der Walt (CC0). It is perceptually uniform: equal steps of the radius look
 # equally far apart, in grey print and to colour-blind eyes too. White paper swallows its yellow end and a dark screen
@@ -33,6 +33,7 @@ class Theme:
     fill: str
     background: str
     axis: tuple[str, ...]
+    wrong: str
 
 
 def _ramp(anchors: tuple[str, ...], count: int) -> tuple[str, ...]:
@@ -50,6 +51,17 @@ PAPER = Theme(
     fill="#f2f5f9",
     background="#ffffff",
     axis=_ramp(LIGHT_AXIS, _COUNT),
+    wrong="#c0392b",
+)
+# Colours of a page are named, so that its style sheet can turn them over at night.
+PAGE = Theme(
+    ink="var(--ink)",
+    muted="var(--muted)",
+    faint="var(--faint)",
+    fill="var(--part)",
+    background="var(--tile)",
+    axis=tuple(f"var(--r{i})" for i in range(len(LIGHT_AXIS))),
+    wrong="var(--wrong)",
 )
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from mashape_cad.errors import MashapeError
 from mashape_cad.library.replacing import replace_file
 
-__all__ = ["PictureError", "checked_suffix", "write"]
+__all__ = ["PictureError", "checked_suffix", "folder_for", "write"]
 
 
 class PictureError(MashapeError):
@@ -41,3 +41,17 @@ def write(out: Path, content: bytes) -> None:
     except OSError as error:
         reason = error.strerror or error
         raise PictureError(f"cannot write {out}: {reason}; choose a folder that exists and is writable") from error
+
+
+def folder_for(folder: Path) -> None:
+    """Make a folder for pictures, unless there is one.
+
+    Raises
+    ------
+    PictureError
+        If the system refuses.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise PictureError(f"cannot make {folder}: {error.strerror or error}; choose another folder") from error

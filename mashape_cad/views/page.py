@@ -7,32 +7,20 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-from markupsafe import Markup
-
 from mashape_cad.library.match import Match
 from mashape_cad.library.record import ProfileRecord
-from mashape_cad.views.colours import ACCENT, DARK_AXIS, LIGHT_AXIS, PAPER, Theme
+from mashape_cad.views.colours import ACCENT, PAGE, PAPER, Theme
 from mashape_cad.views.drawing import Area, Drawing, Label, Placement, Shape, dimensions, printable, rectangle
+from mashape_cad.views.html import html
 from mashape_cad.views.likeness import Likeness
 from mashape_cad.views.output import checked_suffix, write
 from mashape_cad.views.profile_panel import axis_lines, outline
 from mashape_cad.views.raster import png
-from mashape_cad.views.svg import svg
 
 __all__ = ["SUFFIXES", "write_sheet"]
 
 SUFFIXES = (".html", ".png")
 
-# Colours of the page are named, so that its style sheet can turn them over at night.
-_PAGE = Theme(
-    ink="var(--ink)",
-    muted="var(--muted)",
-    faint="var(--faint)",
-    fill="var(--part)",
-    background="var(--tile)",
-    axis=tuple(f"var(--r{i})" for i in range(len(LIGHT_AXIS))),
-)
 _TILE = (240.0, 190.0)
 
 
@@ -98,23 +86,11 @@ def _explanation(count: int) -> str:
 
 
 def _html(query: _Tile, tiles: Sequence[_Tile]) -> str:
-
-    environment = Environment(
-        loader=PackageLoader("mashape_cad.views"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
-    environment.filters["picture"] = lambda tile: Markup(svg(_tile_drawing(tile)))  # noqa: S704 (`svg` escapes)
-    return environment.get_template("sheet.html").render(
-        query=query, tiles=tiles, explanation=_explanation(len(tiles)), light_axis=LIGHT_AXIS, dark_axis=DARK_AXIS
-    )
+    return html("sheet.html", query=query, tiles=tiles, explanation=_explanation(len(tiles)), drawing=_tile_drawing)
 
 
 def _tile_drawing(tile: _Tile) -> Drawing:
-    return Drawing(*_TILE, tile.spoken, tuple(_profile(tile.record, 0, 0, *_TILE, _PAGE)))
+    return Drawing(*_TILE, tile.spoken, tuple(_profile(tile.record, 0, 0, *_TILE, PAGE)))
 
 
 def _profile(

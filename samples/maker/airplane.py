@@ -30,7 +30,7 @@ class Engine:
 
 
 def airplanes() -> dict[str, Profile]:
-    """Return an airliner, a four-engined jet, a propeller aircraft and a jet fighter."""
+    """Return airliners, bombers, propeller aircraft, business jets, jet fighters and a glider."""
     return {
         "airplane-1": airplane(
             nose=22, width=7.5, length=160, wing=Surface(-55, 34, 76, 44, 9, 1.5), tail=Surface(-132, 17, 29, 17, 6),
@@ -46,6 +46,27 @@ def airplanes() -> dict[str, Profile]:
         ),
         "airplane-4": airplane(
             nose=34, width=7.5, length=140, wing=Surface(-50, 40, 52, 40, 9, 1), tail=Surface(-112, 17, 27, 16, 6)
+        ),
+        "airplane-5": airplane(
+            nose=26, width=7, length=150, wing=Surface(-66, 28, 66, 30, 8, 1), tail=Surface(-126, 15, 28, 16, 6)
+        ),
+        "airplane-6": airplane(
+            nose=20, width=6, length=112, wing=Surface(-36, 20, 112, 8, 8, 1.5), tail=Surface(-96, 12, 24, 5, 6)
+        ),
+        "airplane-7": airplane(
+            nose=20, width=8, length=150, wing=Surface(-42, 36, 104, 16, 12, 2), tail=Surface(-122, 18, 40, 8, 8, 1),
+            engines=(Engine(27, 9, 14), Engine(60, 9, 13)),
+        ),
+        "airplane-8": airplane(
+            nose=44, width=8, length=150, wing=Surface(-62, 58, 50, 48, 9, 0.5), tail=Surface(-130, 14, 24, 12, 6)
+        ),
+        "airplane-9": airplane(
+            nose=24, width=11, length=184, wing=Surface(-60, 44, 92, 52, 11, 2), tail=Surface(-150, 21, 36, 20, 8),
+            engines=(Engine(32, 11, 15),),
+        ),
+        "airplane-10": airplane(
+            nose=18, width=8, length=126, wing=Surface(-46, 26, 74, 6, 12, 1), tail=Surface(-104, 16, 30, 6, 8, 0.5),
+            engines=(Engine(26, 9, 17),),
         ),
     }  # fmt: skip
 

@@ -89,13 +89,18 @@ def write_step(path: Path, profile: Profile) -> None:
     header.SetTimeStamp(TCollection_HAsciiString(WRITTEN))
     if writer.Write(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
         raise OSError(f"cannot write {path}")
-    _drop_running_number(path)
+    _drop_accidents(path)
 
 
-def _drop_running_number(path: Path) -> None:
-    """Take from the product's name the number that OCCT gives it, which counts the files of one run."""
-    text = path.read_text(encoding="ascii")
-    path.write_text(re.sub(rf"'{path.stem} \d+'", f"'{path.stem}'", text), encoding="ascii", newline="\n")
+def _drop_accidents(path: Path) -> None:
+    """Take out what differs from run to run, or with the last digits of a float.
+
+    OCCT gives the product's name a number, which counts the files of one run; and it calls knots uniform or not, as
+    their rounded differences happen to be.
+    """
+    text = re.sub(rf"'{path.stem} \d+'", f"'{path.stem}'", path.read_text(encoding="ascii"))
+    text = re.sub(r"\.(QUASI_)?UNIFORM_KNOTS\.", ".UNSPECIFIED.", text)
+    path.write_text(text, encoding="ascii", newline="\n")
 
 
 def _wire(loop: Loop) -> TopoDS_Wire:

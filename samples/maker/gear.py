@@ -4,19 +4,25 @@ from math import asin, cos, pi, radians, sin, tan
 
 import numpy as np
 
-from maker.pen import Pen, Point, circle, closed_curve, moved
+from maker.pen import Pen, Point, circle, closed_curve, moved, slot
 from mashape_cad.geometry.profile import Loop, Profile
 
 __all__ = ["gears"]
 
 
 def gears() -> dict[str, Profile]:
-    """Return four gears with unlike teeth and holes."""
+    """Return gears with unlike teeth, and holes of many shapes and sizes."""
     return {
         "gear-1": Profile.of(involute(16, 5), [keyed_bore(17, 6)]),
         "gear-2": Profile.of(involute(12, 7), [circle(0, 0, 8), *around(3, circle(20, 0, 5))]),
-        "gear-3": Profile.of(involute(20, 5), [hexagon(8), *around(4, kidney(17, 36, 62))]),
+        "gear-3": Profile.of(involute(20, 5), [polygon(6, 8), *around(4, kidney(17, 36, 62))]),
         "gear-4": Profile.of(involute(14, 6.5), [lobed_bore(6, 18, 2)]),
+        "gear-5": Profile.of(involute(18, 5.5), [circle(0, 0, 11), *around(5, circle(27, 0, 8))]),
+        "gear-6": Profile.of(involute(13, 7), [polygon(4, 15)]),
+        "gear-7": Profile.of(involute(24, 4.5), [keyed_bore(9, 4), *around(5, kidney(18, 40, 48))]),
+        "gear-8": Profile.of(involute(11, 8), [lobed_bore(3, 20, 5)]),
+        "gear-9": Profile.of(involute(15, 6), [lobed_bore(8, 12, 1.4), *around(3, kidney(20, 30, 70))]),
+        "gear-10": Profile.of(involute(17, 5.5), [circle(0, 0, 9), *around(6, slot(25, 0, 20, 7))]),
     }
 
 
@@ -59,9 +65,9 @@ def lobed_bore(lobes: int, radius: float, depth: float) -> Loop:
     return closed_curve(*[_polar(radius + depth * w, a) for w, a in zip(wave, around_it, strict=True)])
 
 
-def hexagon(radius: float) -> Loop:
-    """Draw a hexagonal bore with rounded corners."""
-    first, *others = (_polar(radius, i * pi / 3) for i in range(6))
+def polygon(corners: int, radius: float) -> Loop:
+    """Draw a bore with so many rounded corners."""
+    first, *others = (_polar(radius, 2 * pi * i / corners) for i in range(corners))
     pen = Pen(*first, rounded=1.5)
     for x, y in others:
         pen.line(x, y, rounded=1.5)

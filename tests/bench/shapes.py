@@ -66,7 +66,7 @@ def glyph() -> Profile:
 
 def airplane() -> Profile:
     """A sample: lines, arcs and cubic splines, 36 edges."""
-    return read(_TESTS.parent / "samples" / "airplane-4.dxf").profiles[0]
+    return read(_TESTS.parent / "samples" / "freeform80" / "airplane-4.dxf").profiles[0]
 
 
 def gear(teeth: int = 24) -> Profile:

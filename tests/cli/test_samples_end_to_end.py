@@ -37,7 +37,7 @@ def _scan(folder, repository):
 def scans(tmp_path_factory, samples, repository):
     """The samples, scanned twice: folder and the messages of both scans."""
     folder = tmp_path_factory.mktemp("samples")
-    for path in samples.iterdir():
+    for path in samples.rglob("*"):
         if path.suffix in {".dxf", ".step"}:
             shutil.copy2(path, folder)
     return folder, _scan(folder, repository), _scan(folder, repository)
@@ -50,7 +50,7 @@ def library(scans):
 
 
 def _drawings(samples):
-    return sorted(path.stem for path in samples.glob("*.dxf"))
+    return sorted(path.stem for path in samples.rglob("*.dxf"))
 
 
 def pytest_generate_tests(metafunc):
@@ -90,9 +90,9 @@ def test_variants_find_the_sample(name, scans, library, tmp_path):
         assert first.distance < nearest_other.distance / 10, (variant, first.distance, nearest_other.distance)
 
 
-def test_certify_is_ok(name, samples, capsys):
+def test_certify_is_ok(name, freeform80, capsys):
     """Every axis of a sample drawing is proven: exact to 1e-7, connected, as many cycles as holes."""
-    assert main(["certify", str(samples / f"{name}.dxf"), "--json"]) == 0
+    assert main(["certify", str(freeform80 / f"{name}.dxf"), "--json"]) == 0
     *certificates, summary = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
     for each in certificates:
         assert each["ok"]
@@ -115,9 +115,9 @@ def test_a_query_may_be_a_profile(scans, library):
     assert (first.path.name, first.distance) == ("gear-1.dxf", 0.0)
 
 
-def test_show_reads_what_is_not_scanned(samples, tmp_path, capsys):
+def test_show_reads_what_is_not_scanned(freeform80, tmp_path, capsys):
     """Both formats of pictures."""
-    shutil.copy(samples / "bird-1.dxf", tmp_path / "a bird.dxf")
+    shutil.copy(freeform80 / "bird-1.dxf", tmp_path / "a bird.dxf")
     for suffix in ("svg", "png"):
         assert main(["show", str(tmp_path / "a bird.dxf"), "-o", str(tmp_path / f"bird.{suffix}")]) == 0
         assert (tmp_path / f"bird.{suffix}").stat().st_size > 5000

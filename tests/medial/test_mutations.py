@@ -64,9 +64,9 @@ def test_all_mutations_are_refused(name):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", _SAMPLES)
-def test_many_mutations_of_samples_are_refused(name, samples):
+def test_many_mutations_of_samples_are_refused(name, freeform80):
     """The same for outlines as they come from files, which have too many nodes for all."""
-    axis = medial_axis(read(samples / f"{name}.dxf").profiles[0])
+    axis = medial_axis(read(freeform80 / f"{name}.dxf").profiles[0])
     for mutation in _drawn(axis, _MANY):
         _check(mutation)
 

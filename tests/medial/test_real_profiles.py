@@ -24,9 +24,9 @@ def _verdict(profile):
 
 
 @pytest.mark.slow
-def test_every_sample_has_a_certified_axis(samples):
+def test_every_sample_has_a_certified_axis(freeform80):
     """Freeform outlines with and without holes, each accurate to a thousandth of what is promised."""
-    for path in sorted(samples.glob("*.dxf")):
+    for path in sorted(freeform80.glob("*.dxf")):
         for profile in read(path).profiles:
             axis = medial_axis(profile)
             found = certificate(axis)
