@@ -388,6 +388,16 @@ class BSpline(Edge):
         """Whether weights differ."""
         return bool(np.ptp(self.weights) > 1e-14 * self.weights.max())
 
+    @property
+    def start(self) -> Floats:
+        """First point, (2,): the first pole, since both ends are clamped."""
+        return self.poles[0]
+
+    @property
+    def end(self) -> Floats:
+        """Last point, (2,)."""
+        return self.poles[-1]
+
     def derivatives(self, u: ArrayLike) -> Floats:
         """See `Edge.derivatives`."""
         u = np.atleast_1d(np.asarray(u, float))
