@@ -11,8 +11,9 @@ import numpy as np
 from mashape_cad.geometry.edge import Arc, Edge, EllipseArc, Floats, Line
 from mashape_cad.medial.assembly import foot
 from mashape_cad.medial.branch import contact_before, discs_on_piece
+from mashape_cad.medial.compiled import compiled
 from mashape_cad.medial.graph import MedialAxis
-from mashape_cad.medial.tour import Ints, site
+from mashape_cad.medial.tour import Ints, Tour, site
 
 __all__ = ["Stations", "stations"]
 
@@ -194,11 +195,19 @@ def _piece_values(axis: MedialAxis, piece: int, side: int, t: Floats) -> tuple[F
     e, f = int(pieces.element[piece, side]), int(pieces.element[piece, 1 - side])
     t = np.clip(t, pieces.low[piece, side], pieces.high[piece, side])
     rows = discs_on_piece(axis, piece, t, side)
-    here = np.array([site(tour, e, s)[:4] for s in t])
-    there = np.array([site(tour, f, s)[:4] for s in rows[:, 3]])
+    here, there = _sites(tour, e, t), _sites(tour, f, rows[:, 3])
     tangent = _tangent(here[:, 2:], there[:, 2:])
     distance = np.hypot(*(here[:, :2] - there[:, :2]).T)
     return rows[:, 2] * size, distance * size, tangent
+
+
+@compiled
+def _sites(tour: Tour, e: int, t: Floats) -> Floats:
+    """Points and inward normals at places of one element: (n, 4)."""
+    rows = np.empty((len(t), 4))
+    for k in range(len(t)):
+        rows[k, 0], rows[k, 1], rows[k, 2], rows[k, 3], _, _ = site(tour, e, t[k])
+    return rows
 
 
 def _tangent(normal: Floats, other: Floats) -> Floats:
