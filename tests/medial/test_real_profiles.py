@@ -1,7 +1,6 @@
 """Profiles as they come from files: our samples, and real outlines, glyphs and parts."""
 
-from collections import Counter
-
+import numpy as np
 import pytest
 from invariants import check_axis
 
@@ -10,8 +9,16 @@ from mashape_cad.errors import AxisError, InvalidProfileError
 from mashape_cad.medial.axis import medial_axis
 from mashape_cad.medial.certificate import certificate
 
-# Real files are judged by the share that is complete; every refusal is printed with its reason.
-_FILES, _PROFILES, _SHARE = 400, 200, 0.97
+# Files whose axes the certificate refused once: kinks of 1e-5 at the ends of fillets, a wedge between bent spans, a
+# foot that is known to 1e-8.
+_REFUSED_ONCE = (
+    "planted/gusset/one_spline.dxf",
+    "outlines30/elephant/elephant-09.dxf",
+    "dxf/lumberjack-keyboard__lumberjack-frogmini.dxf",
+    "dxf/lumberjack-keyboard__lumberjack-polaris.dxf",
+    "step/crkbd__left.step",
+)
+_SMALLEST, _DRAWN = 200, 150
 
 
 def _verdict(profile):
@@ -35,12 +42,36 @@ def test_every_sample_has_a_certified_axis(freeform80):
             check_axis(profile, axis, accuracy=1e-8)
 
 
+def _files(folder):
+    return sorted((*folder.rglob("*.dxf"), *folder.rglob("*.step")))
+
+
+def _refused(paths):
+    """What is not certified of the profiles of some files: files and reasons. Invalid ones may be refused as such."""
+    verdicts = ((path.name, _verdict(profile)) for path in paths for profile in read(path).profiles)
+    return [(name, verdict) for name, verdict in verdicts if verdict != "ok"]
+
+
 @pytest.mark.slow
 def test_small_real_profiles_are_certified(retrieval):
-    """Of the 200 profiles with the fewest edges, one from a file, at least 97 in a hundred; the others are refused."""
-    files = sorted((*retrieval.rglob("*.dxf"), *retrieval.rglob("*.step")), key=lambda path: path.stat().st_size)
-    profiles = [part.profiles[0] for path in files[:_FILES] if (part := read(path)).profiles]
-    verdicts = Counter(_verdict(profile) for profile in sorted(profiles, key=lambda p: len(p.edges))[:_PROFILES])
-    print(dict(verdicts))  # noqa: T201 - the reasons, for whoever looks at a failure
-    assert verdicts["ok"] >= _SHARE * verdicts.total()
-    assert verdicts["not certified"] == 0
+    """All files of next to no size."""
+    small = sorted(_files(retrieval), key=lambda path: path.stat().st_size)[:_SMALLEST]
+    assert not _refused(small)
+
+
+@pytest.mark.slow
+def test_some_real_profiles_are_certified(retrieval):
+    """Files drawn with a printed seed: polylines of 500 segments, outlines from images, glyphs, parts."""
+    seed = np.random.SeedSequence().entropy
+    print(f"seed {seed}")  # noqa: T201 - to repeat a failure
+    files = _files(retrieval)
+    drawn = np.random.default_rng(seed).choice(len(files), _DRAWN, replace=False)
+    assert not _refused([files[k] for k in drawn])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", _REFUSED_ONCE)
+def test_axes_that_were_refused_once(name, retrieval, corpus):
+    """Profiles that do not cross themselves are certified."""
+    path = next(folder / name for folder in (retrieval, corpus) if (folder / name).exists())
+    assert not [verdict for _, verdict in _refused([path]) if "crosses" not in verdict]
