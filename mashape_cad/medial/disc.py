@@ -40,7 +40,9 @@ __all__ = ["maximal_disc", "twin_on_stretch"]
 _SAMPLES, _SAMPLES_CROWDED, _CROWDING = 12, 48, 0.25
 _TINY = 1e-300  # a height below this counts as none: a quotient by it would overflow
 _STRAIGHT = 1e-9  # a curvature below this bounds no disc; _WIDEST does
-_BESIDE = 1e-12  # a sample this near (sizes) is the place itself: a quotient of roundings, as at a cone's vertex
+# A sample whose square distance is less than this, times its radius, lies no higher above the tangent than rounding may
+# lift it: a quotient of roundings, as next to the place itself.
+_LOST = 4e-15
 _WIDEST = 4.0  # radius that no disc inside a shape of size 1 has
 # Steps of the descent: below the first f is flat to rounding and G alone tells whether a step helps; below the second
 # the parameter has settled; the third is the spacing of numbers near 1.
@@ -285,7 +287,7 @@ def twin_on_stretch(tour: Tour, e: int, t: float, f: int, low: float, high: floa
     for k in range(count + 1):
         qx, qy, _, _, _, _ = evaluate(tour.control[f], tour.element[f].degree, low + (high - low) * _share(k, crowded))
         radius = _radius(px, py, nx, ny, qx, qy)
-        if radius < best and math.hypot(qx - px, qy - py) > _BESIDE:
+        if radius < best and (qx - px) ** 2 + (qy - py) ** 2 > _LOST * radius:
             best_k, best = k, radius
     a = low + (high - low) * _share(max(best_k - 1, 0), crowded)
     b = low + (high - low) * _share(min(best_k + 1, count), crowded)

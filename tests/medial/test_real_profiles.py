@@ -10,10 +10,12 @@ from mashape_cad.medial.axis import medial_axis
 from mashape_cad.medial.certificate import certificate
 
 # Files whose axes the certificate refused once: kinks of 1e-5 at the ends of fillets, a wedge between bent spans, a
-# foot that is known to 1e-8.
+# foot that is known to 1e-8, rounding beside a reflex vertex.
 _REFUSED_ONCE = (
     "planted/gusset/one_spline.dxf",
+    "planted/lower_e-germania-one/moved_rotated.dxf",
     "outlines30/elephant/elephant-09.dxf",
+    "outlines30/fork/fork-13.dxf",
     "dxf/lumberjack-keyboard__lumberjack-frogmini.dxf",
     "dxf/lumberjack-keyboard__lumberjack-polaris.dxf",
     "step/crkbd__left.step",
