@@ -1,9 +1,6 @@
 """Named profiles, and the medial axes that are known in closed form.
 
-An axis is known as its nodes and its *pieces*: curves of points (x, y, r). Most bisectors of this catalogue are of two
-kinds. Between two walls the centre runs along a line and the radius changes in proportion. Between a wall and a point
-it runs along a parabola with the point as focus; a round wall bent outwards (a hole) acts as its centre, the clearance
-to it being the distance to the centre less its radius.
+An axis is known as its nodes and its *pieces* (`closed_forms`): curves of points (x, y, r).
 
 Sizes differ on purpose, and few of them are round numbers.
 """
@@ -11,133 +8,27 @@ Sizes differ on purpose, and few of them are round numbers.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Protocol
+from math import comb
 
 import numpy as np
+from closed_forms import (
+    TAU,
+    AlongParabola,
+    AroundBore,
+    BetweenCircles,
+    BetweenPoints,
+    Corridor,
+    InEllipse,
+    Parabola,
+    Piece,
+    Straight,
+    UnderChord,
+)
 
 from mashape_cad.geometry.edge import Arc, BSpline, Edge, EllipseArc, Floats, Line, frozen
 from mashape_cad.geometry.profile import Loop, Profile
 from mashape_cad.medial.axis import medial_axis
 from mashape_cad.medial.graph import MedialAxis
-
-TAU = 2 * np.pi
-
-
-class Piece(Protocol):
-    """A curve of points (x, y, r) in closed form."""
-
-    def along(self, count: int) -> Floats:
-        """Points from one end to the other: (count, 3)."""
-
-    def off(self, points: Floats) -> Floats:
-        """How far points (n, 3) are from fulfilling the closed form, mm: (n,)."""
-
-
-@dataclass(frozen=True, slots=True)
-class Straight:
-    """Centre and radius change in proportion from `first` to `last`, (x, y, r) each."""
-
-    first: tuple[float, float, float]
-    last: tuple[float, float, float]
-
-    def along(self, count: int) -> Floats:
-        """See `Piece.along`."""
-        return np.linspace(self.first, self.last, count)
-
-    def off(self, points: Floats) -> Floats:
-        """See `Piece.off`."""
-        start, way = np.array(self.first), np.subtract(self.last, self.first)
-        share = np.clip((points - start) @ way / (way @ way), 0.0, 1.0)
-        return np.linalg.norm(points - start - share[:, None] * way, axis=1)
-
-
-@dataclass(frozen=True, slots=True)
-class Parabola:
-    """As near to a wall as to a point, or to a round hole of radius `hole` about it.
-
-    The wall passes through `wall` with the inward unit normal `normal`; `low` and `high` bound the place along the
-    wall, counted from below the focus to the right of the normal.
-    """
-
-    focus: tuple[float, float]
-    wall: tuple[float, float]
-    normal: tuple[float, float]
-    low: float
-    high: float
-    hole: float = 0.0
-
-    def along(self, count: int) -> Floats:
-        """See `Piece.along`."""
-        s = np.linspace(self.low, self.high, count)
-        height = float(np.dot(self.normal, np.subtract(self.focus, self.wall)))
-        r = (s**2 + height**2 - self.hole**2) / (2 * (height + self.hole))
-        base = np.array(self.focus) - height * np.array(self.normal)
-        return np.column_stack([base + s[:, None] * self._right() + r[:, None] * np.array(self.normal), r])
-
-    def off(self, points: Floats) -> Floats:
-        """See `Piece.off`."""
-        centre, r = points[:, :2], points[:, 2]
-        to_wall = (centre - self.wall) @ np.array(self.normal)
-        to_focus = np.linalg.norm(centre - self.focus, axis=1) - self.hole
-        s = (centre - self.focus) @ self._right()
-        outside = np.maximum(np.maximum(self.low - s, s - self.high), 0.0)
-        return np.max(np.abs([to_wall - r, to_focus - r, outside]), axis=0)
-
-    def _right(self) -> Floats:
-        return np.array([self.normal[1], -self.normal[0]])
-
-
-@dataclass(frozen=True, slots=True)
-class BetweenCircles:
-    """As near to a circle from inside as to one within it from outside: an ellipse with the centres as foci."""
-
-    outer: tuple[float, float, float]
-    inner: tuple[float, float, float]
-
-    def along(self, count: int) -> Floats:
-        """See `Piece.along`."""
-        (x0, y0, big), (x1, y1, small) = self.outer, self.inner
-        apart, turn = np.hypot(x1 - x0, y1 - y0), np.arctan2(y1 - y0, x1 - x0)
-        a = (big + small) / 2  # R - r and rho + r add up to R + rho
-        b = np.sqrt(a**2 - apart**2 / 4)
-        t = np.linspace(0.0, TAU, count)
-        flat = a * np.cos(t) + 1j * b * np.sin(t)
-        centre = flat * np.exp(1j * turn) + complex(x0 + x1, y0 + y1) / 2
-        r = big - np.abs(centre - complex(x0, y0))
-        return np.column_stack([centre.real, centre.imag, r])
-
-    def off(self, points: Floats) -> Floats:
-        """See `Piece.off`."""
-        to_outer = self.outer[2] - np.linalg.norm(points[:, :2] - self.outer[:2], axis=1)
-        to_inner = np.linalg.norm(points[:, :2] - self.inner[:2], axis=1) - self.inner[2]
-        return np.max(np.abs([to_outer - points[:, 2], to_inner - points[:, 2]]), axis=0)
-
-
-@dataclass(frozen=True, slots=True)
-class InEllipse:
-    """Inside an ellipse with semi-axes a > b: |x| <= (a^2 - b^2) / a, r = b sqrt(1 - x^2 / (a^2 - b^2))."""
-
-    a: float
-    b: float
-
-    @property
-    def reach(self) -> float:
-        """Largest x of a centre."""
-        return (self.a**2 - self.b**2) / self.a
-
-    def along(self, count: int) -> Floats:
-        """See `Piece.along`."""
-        x = np.linspace(-self.reach, self.reach, count)
-        return np.column_stack([x, np.zeros(count), self._radius(x)])
-
-    def off(self, points: Floats) -> Floats:
-        """See `Piece.off`."""
-        x, y, r = points.T
-        within = np.clip(x, -self.reach, self.reach)
-        return np.max(np.abs([x - within, y, r - self._radius(within)]), axis=0)
-
-    def _radius(self, x: Floats) -> Floats:
-        return self.b * np.sqrt(1 - x**2 / (self.a**2 - self.b**2))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -365,6 +256,88 @@ def _turned(piece: Piece, quarters: int) -> Piece:
     return Parabola(turn(piece.focus), turn(piece.wall), turn(piece.normal), piece.low, piece.high, piece.hole)
 
 
+def parabola_and_line(a: float = 0.6, chord: float = 3.1) -> Known:
+    """A parabola closed by a chord across its axis.
+
+    One end where the parabola bends most. Its branch meets those of the two corners where the disc on the axis touches
+    the chord too: there sqrt(1 + 4 a^2 x^2) = 2 sqrt(a chord) - 1 at the feet.
+    """
+    w, s = float(np.sqrt(chord / a)), 2 * np.sqrt(a * chord) - 1
+    foot, r = float(np.sqrt(s**2 - 1) / (2 * a)), float(s / (2 * a))
+    cap = BSpline.of(2, [0, 0, 0, 1, 1, 1], [(-w, chord), (0, -chord), (w, chord)])
+    tip, join = (0.0, 1 / (2 * a), 1 / (2 * a)), (0.0, chord - r, r)
+    nodes = ((*tip, 1), (*join, 3), (-w, chord, 0.0, 1), (w, chord, 0.0, 1))
+    sides = (UnderChord(a, chord, foot, w), UnderChord(a, chord, -w, -foot))
+    loop = Loop((cap, Line.of((w, chord), (-w, chord))))
+    return Known("parabola and line", Profile.of(loop), nodes, (AlongParabola(a, chord - r), *sides), 3)
+
+
+def offset_splines(half: float = 0.25) -> Known:
+    """A corridor between the two offsets of a cubic, closed by half circles: the cubic is its axis.
+
+    With u and v linear, the cubic whose derivative is (u^2 - v^2, 2 u v) has speed u^2 + v^2, so that its offsets are
+    rational, of degree 5 (Farouki, Sakkalis, Pythagorean hodographs, 1990). Its speed is the same at both ends.
+    """
+    polynomial = np.polynomial.Polynomial
+    u, v = polynomial([1.6, -1.3]), polynomial([-0.3, 1.9])
+    x, y, speed = (u * u - v * v).integ(), (2 * u * v).integ(), u * u + v * v
+    sides = []
+    for shift in (-half, half):
+        rows = (x * speed - shift * (2 * u * v), y * speed + shift * (u * u - v * v), speed)
+        homogeneous = np.column_stack([_bernstein(row) for row in rows])
+        points, weights = homogeneous[:, :2] / homogeneous[:, 2:], homogeneous[:, 2] / homogeneous[0, 2]
+        weights[-1] = 1.0  # to the last bit, so that the corridor's sides and caps meet to the last bit
+        sides.append(BSpline.of(5, [0.0] * 6 + [1.0] * 6, points, weights))
+    right, left = sides
+    ends = [np.array([x(t), y(t)]) for t in (0.0, 1.0)]
+    caps = []
+    for centre, start in ((ends[1], right.end), (ends[0], left.start)):
+        caps.append(Arc.of(centre, half, float(np.arctan2(*(start - centre)[::-1])), np.pi))
+    nodes = tuple((*end.tolist(), half, 1) for end in ends)
+    middle = Corridor(np.column_stack([x.coef, y.coef]), half)
+    return Known("offset splines", Profile.of(Loop((right, caps[0], left.reversed(), caps[1]))), nodes, (middle,), 1)
+
+
+def _bernstein(polynomial: np.polynomial.Polynomial) -> Floats:
+    """Coefficients in the Bernstein basis of degree 5."""
+    power = np.append(polynomial.coef, np.zeros(6 - len(polynomial.coef)))
+    return np.array([sum(comb(k, i) / comb(5, i) * power[i] for i in range(k + 1)) for k in range(6)])
+
+
+def gear_with_bore(teeth: int = 9, bore: float = 1.2, root: float = 3.0, tip: float = 3.9, half: float = 0.35) -> Known:
+    """Teeth with parallel flanks and round tips on a ring: all discs of a tooth lie on its middle line.
+
+    Along the flanks the radius is half the tooth's width; then the discs pass between the two vertices of its root,
+    and where they reach the bore, at (root^2 - bore^2) / 2 (foot - bore), three branches meet.
+    """
+    foot, spread = float(np.sqrt(root**2 - half**2)), float(np.arcsin(half / root))
+    join = (root**2 - bore**2) / (2 * (foot - bore))
+    edges: list[Edge] = []
+    nodes: list[tuple[float, float, float, int]] = []
+    pieces: list[Piece] = []
+    for number in range(teeth):
+        turn, pitch = 0.1 + TAU * number / teeth, TAU / teeth
+        along, across = np.array([np.cos(turn), np.sin(turn)]), np.array([-np.sin(turn), np.cos(turn)])
+        right, left = foot * along - half * across, foot * along + half * across
+        ends = tip * along - half * across, tip * along + half * across
+        edges += [
+            Line.of(right, ends[0]),
+            Arc.of(tip * along, half, turn - np.pi / 2, np.pi),
+            Line.of(ends[1], left),
+            Arc.of((0, 0), root, turn + spread, pitch - 2 * spread),
+        ]
+        nodes += [(*(tip * along).tolist(), half, 1), (*(join * along).tolist(), join - bore, 3)]
+        pieces += [
+            Straight((*(tip * along).tolist(), half), (*(foot * along).tolist(), half)),
+            BetweenPoints(tuple(right.tolist()), tuple(left.tolist()), tuple(along.tolist()), join - foot, 0.0),
+            AroundBore(bore, root, 0.0, spread, turn - spread),
+            AroundBore(bore, root, -spread, 0.0, turn + spread),
+            AroundBore(bore, root, turn + spread, turn + pitch - spread),
+        ]
+    profile = Profile.of(Loop(tuple(edges)), [circle(0, 0, bore)])
+    return Known("gear with a bore", profile, tuple(nodes), tuple(pieces), 2 * teeth)
+
+
 def _square() -> Known:
     """Its junction has degree 4."""
     known = regular_polygon(4)
@@ -387,6 +360,9 @@ KNOWN: dict[str, Known] = {
         plate_with_slot(),
         plate_with_slot(half=0.0),
         frame(),
+        parabola_and_line(),
+        offset_splines(),
+        gear_with_bore(),
     )
 }
 

@@ -124,6 +124,48 @@ def check_definition(profile: Profile, axis: MedialAxis, seed: int, count: int) 
         assert tree.query(expected[:2])[0] <= step
 
 
+def check_densely(profile: Profile, axis: MedialAxis, per_span: int = 7) -> None:
+    """All over the boundary the axis has a disc that touches there and elsewhere, or osculates, and holds no boundary.
+
+    A disc that touches a place is at most as large as the maximal one there if no boundary lies inside it, and at least
+    as large if it touches elsewhere. Samples stand for the boundary inside.
+    """
+    tour, frame, diagonal = axis.tour, axis.frame, profile.diagonal
+    element = np.repeat(np.flatnonzero(tour.degree > 0), per_span)
+    share = (np.arange(per_span) + 0.5) / per_span
+    t = np.tile(share + 0.02 * np.sin(40 * share), len(element) // per_span)  # uneven: symmetric places coincide
+    places = np.array([site(tour, int(e), float(at)) for e, at in zip(element, t, strict=True)])
+    point, normal = places[:, :2] * frame.size + frame.middle, places[:, 2:4]
+    discs, twin, tol = _discs_at(axis, element, t)
+    boundary = np.concatenate([edge.point(_parameters(edge)) for edge in profile.edges])
+    accuracy = 1e-9 * diagonal + tol
+    assert np.all(discs[:, 2] >= 0)
+    assert np.all(np.abs(point + discs[:, 2:] * normal - discs[:, :2]).max(axis=1) <= accuracy)
+    assert np.all(cKDTree(boundary).query(discs[:, :2])[0] >= discs[:, 2] - accuracy)
+    assert np.all(np.abs(np.linalg.norm(twin - discs[:, :2], axis=1) - discs[:, 2]) <= accuracy)
+    # What touches only once osculates, at an end: beside it the twin is the place's mirror image.
+    together = np.linalg.norm(twin - point, axis=1) <= 1e-3 * discs[:, 2]
+    assert np.all(places[together, 4] / frame.size * discs[together, 2] >= 1 - 1e-2)
+
+
+def _discs_at(axis: MedialAxis, element: np.ndarray, t: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return the axis' discs at places of its tour, (n, 3), the twins, (n, 2), and what is on record of them, mm."""
+    contact, on_arc = contact_before(axis, element, t)
+    disc, size, middle = axis.contacts.disc[contact], axis.frame.size, axis.frame.middle
+    found = np.column_stack([axis.discs.centre[disc], axis.discs.radius[disc]])
+    twin, tol = axis.discs.foot[disc, 1].copy(), axis.discs.tolerance[disc].copy()
+    piece, side = axis.contacts.piece[contact], axis.contacts.side[contact]
+    for k in np.unique((2 * piece + side)[~on_arc]).tolist():
+        here = np.flatnonzero((2 * piece + side == k) & ~on_arc)
+        rows = discs_on_piece(axis, k // 2, t[here], k % 2)
+        found[here] = rows[:, :3] * size
+        found[here, :2] += middle
+        other = int(axis.pieces.element[k // 2, 1 - k % 2])
+        twin[here] = np.array([site(axis.tour, other, float(at))[:2] for at in rows[:, 3]]) * size + middle
+        tol[here] = axis.discs.tolerance[axis.pieces.disc[k // 2]].max()
+    return found, twin, tol
+
+
 def check_restored(profile: Profile, axis: MedialAxis) -> None:
     """What the discs of all branches cover is the profile, no more and no less: nothing of the axis is missing."""
     outline = shapely.Polygon(profile.outer.flattened(200), [hole.flattened(200) for hole in profile.holes])

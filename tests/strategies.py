@@ -7,10 +7,12 @@ degenerate is so by a power of ten that is drawn, so that a failure shrinks to t
 from collections.abc import Callable
 
 import numpy as np
+import shapely
 from catalogue import box, circle, periodic_spline, polygon, rounded, slot
 from hypothesis import assume
 from hypothesis import strategies as st
 from hypothesis.strategies import DrawFn, SearchStrategy
+from mixed import mixed_outline, straightened, with_holes
 
 from mashape_cad.geometry.edge import Arc, EllipseArc, Floats, Line, Similarity, frozen
 from mashape_cad.geometry.profile import Loop, Profile
@@ -202,6 +204,59 @@ def nearly_stadium(draw: DrawFn) -> Profile:
             )
         )
     )
+
+
+class _Drawn:
+    """Choices of a mixed profile, see `mixed.Chance`; they shrink to lines, no holes, and numbers in the middle."""
+
+    # Numbers of this many steps: fine enough for any size of a feature, and few digits to read.
+    _STEPS = 10**6
+    # Points all over a box: multiples of these, less their whole part, fill it evenly (golden section in the plane).
+    _EVENLY = np.array([0.7548776662466927, 0.5698402909980532])
+
+    def __init__(self, draw: DrawFn) -> None:
+        self._draw = draw
+
+    def uniform(self, low: float, high: float) -> float:
+        """See `Chance.uniform`."""
+        half = self._STEPS // 2
+        return low + (high - low) * (half + self._draw(st.integers(-half, half))) / self._STEPS
+
+    def uniforms(self, low: float, high: float, count: int) -> Floats:
+        """See `Chance.uniforms`."""
+        return np.array([self.uniform(low, high) for _ in range(count)])
+
+    def whole(self, low: int, high: int) -> int:
+        """See `Chance.whole`."""
+        return self._draw(st.integers(low, high - 1))
+
+    def likely(self, share: float) -> bool:
+        """See `Chance.likely`."""
+        return self._draw(st.integers(0, 999)) >= 1000 * (1 - share)
+
+    def places(self, bounds: tuple[float, float, float, float]) -> list[shapely.Point]:
+        """See `Chance.places`: one place is drawn, the others are spread from there."""
+        first = [self.uniform(0, 1), self.uniform(0, 1)]
+        shares = (first + np.arange(40)[:, None] * self._EVENLY) % 1.0
+        low, high = np.array(bounds[:2]), np.array(bounds[2:])
+        return [shapely.Point(*place) for place in (low + shares * (high - low)).tolist()]
+
+
+@st.composite
+def profiles(draw: DrawFn) -> Profile:
+    """Profiles of everything: stars and winding bands, lines, arcs, splines of degree 2 to 5, rational ones, holes.
+
+    Where sides cross one another they are drawn straight; how close they come otherwise is left to chance.
+    """
+    chance = _Drawn(draw)
+    return with_holes(chance, straightened(mixed_outline(chance)))
+
+
+@st.composite
+def crossing_profiles(draw: DrawFn) -> Profile:
+    """The same as they are drawn: about a quarter of them cross themselves."""
+    chance = _Drawn(draw)
+    return with_holes(chance, mixed_outline(chance))
 
 
 EVERYDAY: dict[str, Callable[[], SearchStrategy[Profile]]] = {

@@ -55,15 +55,22 @@ def clearances(
         if number != at:
             at, (x, y) = number, coordinates[number]
             place.SetCoord(x, y)
-        extrema, _, (ax, ay), (bx, by) = pieces[index]
+        extrema, adaptor, (ax, ay), (bx, by) = pieces[index]
         known = min(nearest[at], hypot(ax - x, ay - y), hypot(bx - x, by - y))
         extrema.Perform(place)
         # At the centre of a circle all points are stationary, and the kernel reports that as a failure.
         if extrema.IsDone():
             for k in range(1, extrema.NbExt() + 1):
-                known = min(known, sqrt(extrema.SquareDistance(k)))
+                found = sqrt(extrema.SquareDistance(k))
+                if found < known and _is_inside(adaptor, extrema.Point(k).Parameter()):
+                    known = found
         nearest[at] = known
     return np.array(nearest)
+
+
+def _is_inside(adaptor: Geom2dAdaptor_Curve, parameter: float) -> bool:
+    """Whether a parameter lies on its piece: the kernel takes lines and arcs for 1e-7 longer than they are."""
+    return bool(adaptor.FirstParameter() <= parameter <= adaptor.LastParameter())
 
 
 def _pieces(edge: Edge, breaks: Floats) -> list[_Piece]:

@@ -39,7 +39,7 @@ class Piece:
         Points of the kernel's curve, ends included.
     """
 
-    __slots__ = ("_adaptor", "_extrema", "_middle", "control", "is_bezier", "samples")
+    __slots__ = ("_adaptor", "_extrema", "_range", "control", "is_bezier", "samples")
 
     def __init__(self, adaptor: Geom2dAdaptor_Curve, control: Floats, *, is_bezier: bool) -> None:
         first, last = adaptor.FirstParameter(), adaptor.LastParameter()
@@ -48,7 +48,7 @@ class Piece:
         self.is_bezier = is_bezier
         self.samples = np.array([(point.X(), point.Y()) for point in map(adaptor.Value, parameters)])
         self._adaptor = adaptor  # the extrema only point to it
-        self._middle = (first + last) / 2
+        self._range = first, last
         self._extrema = Extrema_ExtPC2d()
         self._extrema.Initialize(adaptor, first, last, _TOLERANCE)
 
@@ -56,18 +56,19 @@ class Piece:
         """Return distance and parameter of the nearest stationary point that the kernel reports.
 
         If there is none, the distance is infinite and the parameter that of the middle. At the centre of a circle all
-        points are stationary, and the kernel reports that as a failure.
+        points are stationary, and the kernel reports that as a failure. It also takes lines and arcs for 1e-7 longer
+        than they are: what it reports beyond their ends does not count.
         """
-        extrema = self._extrema
+        extrema, (first, last) = self._extrema, self._range
         extrema.Perform(place)
         if not extrema.IsDone():
             return float(np.hypot(*(self.samples[0] - (place.X(), place.Y())))), self._adaptor.FirstParameter()
-        square, nearest = np.inf, 0
+        square, parameter = np.inf, (first + last) / 2
         for index in range(1, extrema.NbExt() + 1):
             found = extrema.SquareDistance(index)
-            if found < square:
-                square, nearest = found, index
-        return square**0.5, extrema.Point(nearest).Parameter() if nearest else self._middle
+            if found < square and first <= (at := extrema.Point(index).Parameter()) <= last:
+                square, parameter = found, at
+        return square**0.5, parameter
 
     def nearest_from(self, place: gp_Pnt2d, parameter: float) -> tuple[float, float]:
         """Return distance and parameter of the point that a local search leads to, never further than its start."""

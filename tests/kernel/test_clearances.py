@@ -121,3 +121,11 @@ def test_a_point_without_pieces_is_infinitely_far():
     assert found.tolist() == [np.inf, 1.0, np.inf]
     none = np.zeros(0, np.int64)
     assert clearances(_with_breaks(_SQUARE), np.zeros((0, 2)), none, none).shape == (0,)
+
+
+@pytest.mark.parametrize("beyond", [3e-8, 9e-8, 1e-6])
+def test_lines_and_arcs_end_where_they_end(beyond):
+    """The kernel takes both for 1e-7 longer than they are."""
+    line, arc = Line.of((-1, 0), (0, 0)), Arc.of((0, -2), 2.0, np.pi / 2, 0.5)  # both have their end at the right
+    for edge in (line, arc):
+        assert _of_all_pieces([edge], [(beyond, 1e-6)]) == pytest.approx([np.hypot(beyond, 1e-6)], rel=1e-6)

@@ -180,3 +180,13 @@ def test_no_edges_are_refused():
         distances([], [(0, 0)])
     with pytest.raises(ValueError, match="length"):
         distances([Line.of((0, 0), (0, 0))], [(0, 0)])
+
+
+@pytest.mark.parametrize("beyond", [3e-8, 9e-8, 1e-6])
+@pytest.mark.parametrize("height", [0.0, 1e-6, 1e-3])
+def test_lines_and_arcs_end_where_they_end(beyond, height):
+    """The kernel takes both for 1e-7 longer; a bump of a millionth of the size had discs that were too small by it."""
+    expected = np.hypot(beyond, height)
+    assert distances([Line.of((0, 0), (1, 0))], [(1 + beyond, height), (-beyond, height)]) == pytest.approx(expected)
+    arc = Arc.of((0, -2), 2.0, np.pi / 2, 0.5)  # from (0, 0) to the left
+    assert distances([arc, arc.reversed()], [(beyond, height)]) == pytest.approx([expected], rel=1e-6)

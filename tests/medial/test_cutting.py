@@ -11,8 +11,6 @@ from mashape_cad.medial.cutting import cut
 from mashape_cad.medial.faces import is_laid_out, settled_discs
 from mashape_cad.medial.tour import site, tour
 
-# Discs that differ by no more than this (sizes) are taken for one.
-_SAME_DISC = 1e-9
 _CUT = [name for name in (*KNOWN, *NAMED) if name != "disc"]
 
 
@@ -31,11 +29,8 @@ def check_faces(laid_out, faces):
     assert len(found) == 1 - holes + sum(len(disc.contacts) - 1 for disc in settled_discs(faces))
 
 
-def check_discs(profile, laid_out, frame, faces, merged=0.0):
-    """Each disc is empty and touches at its contacts, and at least two of these or an end lie on the circle.
-
-    Contacts found with another disc, no further than `merged` from the one that took them, are off by as much.
-    """
+def check_discs(profile, laid_out, frame, faces):
+    """Each disc is empty and touches at its contacts, and at least two of these or an end lie on the circle."""
     discs = settled_discs(faces)
     centres = np.array([(disc.x, disc.y) for disc in discs]) * frame.size + frame.middle
     clearance = DistanceQuery(profile).distances(centres) / frame.size
@@ -43,7 +38,7 @@ def check_discs(profile, laid_out, frame, faces, merged=0.0):
         assert distance == pytest.approx(disc.r, abs=1e-12 + disc.tol)
         for place in (place for contact in disc.contacts for place in contact):
             x, y, *_ = site(laid_out, *place)
-            assert np.hypot(x - disc.x, y - disc.y) == pytest.approx(disc.r, abs=1e-10 + disc.tol + merged)
+            assert np.hypot(x - disc.x, y - disc.y) == pytest.approx(disc.r, abs=1e-10 + disc.tol)
         assert len(disc.contacts) > 1 or disc.kind in {"corner", "osculating", "arc"}
 
 
@@ -129,7 +124,7 @@ def test_a_junction_that_is_found_again_gets_the_contacts_that_it_lacks(count, o
     laid_out, frame = tour(profile)
     faces = _cut(laid_out)
     check_faces(laid_out, faces)
-    check_discs(profile, laid_out, frame, faces, _SAME_DISC)
+    check_discs(profile, laid_out, frame, faces)
     # Only discs that all but coincide may be taken for one: the axis has as many ends and as few cycles as ever.
     degree = np.array([len(disc.contacts) for disc in settled_discs(faces)])
     assert np.count_nonzero(degree == 1) == count
@@ -143,5 +138,5 @@ def test_junctions_between_loops_get_the_contacts_that_they_lack(off):
     laid_out, frame = tour(profile)
     faces = _cut(laid_out)
     check_faces(laid_out, faces)
-    check_discs(profile, laid_out, frame, faces, _SAME_DISC)
+    check_discs(profile, laid_out, frame, faces)
     assert sum(len(disc.contacts) - 2 for disc in settled_discs(faces)) == 2 * 9 - 2
