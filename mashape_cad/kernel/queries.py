@@ -141,7 +141,10 @@ class DistanceQuery:
 
     def _points_of(self, points: Floats, pairs: _Pairs, contact: Floats, best: Floats) -> Floats:
         """Return the nearest of all points of contact and ends of pieces that belong to each point."""
-        kept = np.flatnonzero(pairs.below <= best[pairs.row])
+        # The kernel takes a foot a hair beyond the end of a piece for one on it, and then the distance can fall below
+        # all bounds. The piece with the lowest bound has that end too.
+        is_first = np.diff(pairs.row, prepend=-1) != 0
+        kept = np.flatnonzero((pairs.below <= best[pairs.row]) | is_first)
         row, piece = pairs.row[kept], pairs.piece[kept]
         touched = [self._pieces[k].point(at) for k, at in zip(piece.tolist(), contact[kept].tolist(), strict=True)]
         candidates = np.concatenate([self._chords[piece], np.array(touched).reshape(-1, 1, 2)], axis=1).reshape(-1, 2)
