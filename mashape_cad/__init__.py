@@ -27,11 +27,12 @@ if TYPE_CHECKING:
     from mashape_cad.library.match import Match
     from mashape_cad.library.record import ProfileRecord, Sidecar
     from mashape_cad.library.sidecar import read_sidecar, sidecar_path
+    from mashape_cad.matching.relation import Relation
     from mashape_cad.medial.axis import MedialAxis, medial_axis
     from mashape_cad.medial.branch_curve import BranchDiscs, discs_on_branch
     from mashape_cad.medial.certificate import Certificate, certificate
     from mashape_cad.medial.pruning import PrunedAxis, simplify
-    from mashape_cad.options import PartOptions, ReadOptions, ScanOptions, SignatureOptions
+    from mashape_cad.options import PartOptions, ReadOptions, ScanOptions, SearchOptions, SignatureOptions
     from mashape_cad.reading.part import Part, Unit
     from mashape_cad.reading.reader import read
     from mashape_cad.scanning import scan
@@ -66,7 +67,9 @@ __all__ = [
     "PrunedAxis",
     "QueryError",
     "ReadOptions",
+    "Relation",
     "ScanOptions",
+    "SearchOptions",
     "Severity",
     "Sidecar",
     "SidecarError",
@@ -111,7 +114,8 @@ _PLACES = {
     "medial.branch_curve": ("BranchDiscs", "discs_on_branch"),
     "medial.certificate": ("Certificate", "certificate"),
     "medial.pruning": ("PrunedAxis", "simplify"),
-    "options": ("PartOptions", "ReadOptions", "ScanOptions", "SignatureOptions"),
+    "matching.relation": ("Relation",),
+    "options": ("PartOptions", "ReadOptions", "ScanOptions", "SearchOptions", "SignatureOptions"),
     "reading.part": ("Part", "Unit"),
     "reading.reader": ("read",),
     "scanning": ("scan",),

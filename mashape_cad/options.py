@@ -9,12 +9,14 @@ from typing import Any
 
 __all__ = [
     "AXIS_STEP_REL",
+    "SAME_SIZE",
     "AxisOptions",
     "Declared",
     "EvaluateOptions",
     "PartOptions",
     "ReadOptions",
     "ScanOptions",
+    "SearchOptions",
     "SignatureOptions",
     "describe",
 ]
@@ -24,6 +26,9 @@ UNIT_NAMES = ("mm", "cm", "m", "in", "ft", "um")
 # Spacing of an axis' samples where none is asked for, as a fraction of the profile's diagonal: finer than a screen
 # shows, at some hundred samples for a plain part.
 AXIS_STEP_REL = 0.005
+# How much sizes may differ that count as the same where no number is given: a hole more or less changes the area by
+# some per cent.
+SAME_SIZE = 0.05
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,6 +188,46 @@ class EvaluateOptions:
         default=False,
         sentence="No running times and no coarser sampling: for them each part is computed anew, once.",
     )
+
+
+@dataclass(frozen=True, slots=True)
+class SearchOptions:
+    """What is asked of a library.
+
+    Raises
+    ------
+    ValueError
+        If a value is outside its range, or needs a mode that is not asked for.
+    """
+
+    mode: str = _option(
+        "similar",
+        "similar: in the order of the signatures. same: besides, each hit is laid over QUERY and compared exactly.",
+        choices=("similar", "same"),
+    )
+    same_size: float | None = _option(
+        None,
+        f"Only parts of QUERY's size, by the square root of the area; without TOL to within {SAME_SIZE:.0%}.",
+        unit="fraction of QUERY's size",
+        low=0.0,
+        high=10.0,
+    )
+    holes: int | None = _option(None, "Only parts whose profile has so many holes.", low=0, high=1_000_000)
+    no_mirror: bool = _option(
+        default=False, sentence="Leave out mirror images, which signatures do not tell apart: for --mode same."
+    )
+    tolerance: float = _option(
+        1e-3,
+        "Up to this deviation outlines count as the same in --mode same, if the drawings are not exact to more.",
+        unit="fraction of QUERY's diagonal",
+        low=0.0,
+        high=0.1,
+    )
+
+    def __post_init__(self) -> None:
+        _check(self)
+        if self.no_mirror and self.mode != "same":
+            raise ValueError("no_mirror needs mode 'same': a signature does not tell mirror images apart")
 
 
 @dataclass(frozen=True, slots=True)

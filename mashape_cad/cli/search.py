@@ -3,15 +3,18 @@
 
 import sys
 import time
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from mashape_cad.cli.switches import as_json, output, quiet
+from mashape_cad.cli.switches import as_json, option, output, quiet
+from mashape_cad.options import SAME_SIZE, SearchOptions
 
 if TYPE_CHECKING:
-    from mashape_cad.library.library import Library
+    from mashape_cad.library.library import Library, Query
+    from mashape_cad.library.match import Match
 
 __all__ = ["search"]
 
@@ -30,6 +33,11 @@ __all__ = ["search"]
     help="Scanned folder to search in; repeat it for more. [default: QUERY's own]",
 )
 @click.option("-k", "count", type=click.IntRange(1), default=10, show_default=True, help="At most so many parts.")
+@option(SearchOptions, "mode")
+@option(SearchOptions, "same_size", bare=SAME_SIZE, metavar="[TOL]")
+@option(SearchOptions, "holes", metavar="N")
+@option(SearchOptions, "no_mirror")
+@option(SearchOptions, "tolerance", metavar="TOL")
 @output(".html", ".png")
 @as_json
 @quiet
@@ -38,6 +46,11 @@ def search(
     profile: int | None,
     folders: tuple[Path, ...],
     count: int,
+    mode: str,
+    same_size: float | None,
+    holes: int | None,
+    no_mirror: bool,
+    tolerance: float,
     output: Path | None,
     as_json: bool,
     quiet: bool,
@@ -46,30 +59,54 @@ def search(
 
     QUERY itself need not be scanned; if it is, it takes part and comes first, at distance 0. Each part is listed once:
     a drawing by the nearest of its profiles, a solid by its first face.
+
+    With --mode same each hit is laid over QUERY, and said to be identical, mirrored, scaled, modified or similar, with
+    the largest distance between the two outlines and the share of their area that differs.
     """
     from mashape_cad.library.folders import check_file
     from mashape_cad.library.library import Library
     from mashape_cad.views import messages, table
 
     started = time.perf_counter()
+    if no_mirror and mode != "same":
+        raise click.UsageError("--no-mirror needs --mode same: a signature does not tell mirror images apart")
+    options = SearchOptions(mode, same_size, holes, no_mirror, tolerance)
     check_file(query)
     library = Library(*(folders or (query.parent,)))
     if not quiet:
         _tell_what_to_know(library, query)
     asked = library.query(query, profile)
-    matches = library.search(asked, count)
+    matches = _found(library, asked, count, options, quiet)
     if as_json:
         for match in matches:
             click.echo(messages.match_message(match))
         seconds = time.perf_counter() - started
         click.echo(messages.search_summary(query, asked.profile, len(matches), len(library.parts), seconds))
     else:
-        table.print_matches(matches, sys.stdout)
+        table.print_matches(matches, sys.stdout, compared=mode == "same")
     if output is not None:
         from mashape_cad.views.page import write_sheet
 
         write_sheet(output, asked.record, matches, name=query.name)
     return 0
+
+
+def _found(library: "Library", asked: "Query", count: int, options: SearchOptions, quiet: bool) -> "list[Match]":
+    """Search; how the comparing gets on, and what could not be compared, goes to stderr."""
+    if options.mode == "similar":
+        return library.search(asked, count, options=options)
+    from mashape_cad.views.progress import comparing_progress
+
+    bar = sys.stderr.isatty() and not quiet
+    with comparing_progress(sys.stderr, min(count, len(library.parts)), bar=bar) as advance:
+        matches = []
+        for match in islice(library.matches(asked, options), count):
+            matches.append(match)
+            advance()
+    for match in matches:
+        if match.unverified:
+            click.echo(f"not compared: {match.unverified}", err=True)
+    return matches
 
 
 def _tell_what_to_know(library: "Library", query: Path) -> None:

@@ -13,8 +13,13 @@ __all__ = ["as_json", "option", "output", "quiet", "read_switches"]
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 
-def option(options: type, name: str, *declarations: str) -> Callable[[Command], Command]:
-    """Return a switch for the field `name` of a class of `mashape_cad.options`."""
+def option(
+    options: type, name: str, *declarations: str, bare: float | None = None, metavar: str | None = None
+) -> Callable[[Command], Command]:
+    """Return a switch for the field `name` of a class of `mashape_cad.options`.
+
+    Given `bare`, the switch may stand without a value and then means that.
+    """
     default, declared = describe(options, name)
     kind = _kind(options, name, declared)
     help_text = f"{declared.sentence} [{declared.unit}]" if declared.unit else declared.sentence
@@ -23,6 +28,8 @@ def option(options: type, name: str, *declarations: str) -> Callable[[Command], 
         name,
         type=kind,
         is_flag=kind is click.BOOL,
+        flag_value=bare if bare is not None else kind is click.BOOL or None,
+        metavar=metavar,
         default=default,
         show_default=default is not None and kind is not click.BOOL,
         help=help_text,

@@ -48,11 +48,14 @@ class ChainedLoop:
     loop : Loop
     handles, layers : tuple of str
         In the order of the edges, each once.
+    gap : float
+        The widest that was bridged in it, mm.
     """
 
     loop: Loop
     handles: tuple[str, ...]
     layers: tuple[str, ...]
+    gap: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,7 +187,7 @@ def _closed(drawing: Drawing, steps: Sequence[Step]) -> tuple[ChainedLoop, Close
     )
     handles = tuple(dict.fromkeys(strand.handle for strand in strands))
     layers = tuple(dict.fromkeys(strand.layer for strand in strands))
-    return ChainedLoop(fit.loop, handles, layers), fit
+    return ChainedLoop(fit.loop, handles, layers, float(fit.gaps.max())), fit
 
 
 def _without_flat(loops: list[ChainedLoop]) -> tuple[list[ChainedLoop], list[ChainedLoop]]:

@@ -74,17 +74,26 @@ class Profile:
 
     The interior lies on the left of every loop: the outer loop runs counter-clockwise, holes clockwise. Use
     `Profile.of` to have that arranged.
+
+    Attributes
+    ----------
+    outer : Loop
+    holes : tuple of Loop
+    origin : Origin
+    gap : float
+        Widest gap that was bridged to close its loops, mm: where an edge lies is not known to better than that.
     """
 
     outer: Loop
     holes: tuple[Loop, ...] = ()
     origin: Origin = field(default_factory=Origin)
+    gap: float = 0.0
 
     @classmethod
-    def of(cls, outer: Loop, holes: Sequence[Loop] = (), origin: Origin | None = None) -> "Profile":
+    def of(cls, outer: Loop, holes: Sequence[Loop] = (), origin: Origin | None = None, gap: float = 0.0) -> "Profile":
         """Make a profile from loops of any orientation."""
         turned = tuple(hole.counter_clockwise().reversed() for hole in holes)
-        return cls(outer.counter_clockwise(), turned, origin or Origin())
+        return cls(outer.counter_clockwise(), turned, origin or Origin(), gap)
 
     @property
     def loops(self) -> tuple[Loop, ...]:
@@ -122,7 +131,7 @@ class Profile:
         outer, *holes = (loop.transformed(similarity) for loop in self.loops)
         if similarity.mirrors:
             outer, holes = outer.reversed(), [hole.reversed() for hole in holes]
-        return replace(self, outer=outer, holes=tuple(holes))
+        return replace(self, outer=outer, holes=tuple(holes), gap=self.gap * similarity.scale)
 
     def __iter__(self) -> Iterator[Loop]:
         return iter(self.loops)

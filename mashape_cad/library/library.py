@@ -3,6 +3,7 @@
 import shlex
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import islice
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -18,7 +19,7 @@ from mashape_cad.library.ranking import Floats, Stack
 from mashape_cad.library.record import CURRENT_SIGNATURE, ProfileRecord, Sidecar
 from mashape_cad.library.selection import comparable, profiles_of
 from mashape_cad.library.sidecar import UnknownVersionError, read_sidecar, sidecar_path
-from mashape_cad.options import PartOptions
+from mashape_cad.options import PartOptions, SearchOptions
 
 __all__ = ["Library", "Query"]
 
@@ -33,12 +34,15 @@ class Query:
     path : Path or None
         Its file, if it comes from one.
     profile : int or None
-        Its number in that file.
+        Its number in that file or object.
+    thing : Profile or kernel object or None
+        What it was made of, if not of a file.
     """
 
     record: ProfileRecord
     path: Path | None = None
     profile: int | None = None
+    thing: Any = None
 
 
 class Library:
@@ -83,7 +87,9 @@ class Library:
         self.options = self._common_options()
         self._rows = _Rows.of(self.parts)
 
-    def search(self, query: Any, k: int = 10, *, profile: int | None = None) -> list[Match]:
+    def search(
+        self, query: Any, k: int = 10, *, profile: int | None = None, options: SearchOptions | None = None
+    ) -> list[Match]:
         """Return the parts that resemble a query most, the nearest first.
 
         Parameters
@@ -94,6 +100,8 @@ class Library:
             At most so many parts.
         profile : int, optional
             Which profile of the query, from 0.
+        options : SearchOptions, optional
+            In mode ``same`` each match has a `Match.relation`: its file is read again and compared with the query's.
 
         Returns
         -------
@@ -111,12 +119,35 @@ class Library:
         """
         if k < 1:
             raise ValueError(f"k must be at least 1, not {k}")
-        asked = self.query(query, profile)
+        return list(islice(self.matches(self.query(query, profile), options or SearchOptions()), k))
+
+    def matches(self, asked: Query, options: SearchOptions) -> Iterator[Match]:
+        """Yield the parts that resemble a query, the nearest first, as `search` returns them.
+
+        In mode ``same`` each is compared with the query when its turn comes.
+        """
+        if options.mode == "similar":
+            return self._ranked(asked, options)
+        from mashape_cad.library.verification import verified  # noqa: PLC0415  (loads the kernel)
+
+        return verified(asked, self._ranked(asked, options), self.options, options)
+
+    def _ranked(self, asked: Query, options: SearchOptions) -> Iterator[Match]:
         distances = self._rows.stack.distances(asked.record.vectors or {})
-        order = self._order(asked, distances)
+        passing = self._passing(asked, options)
+        order = [row for row in self._order(asked, distances).tolist() if passing[row]]
         _, first = np.unique(self._rows.part[order], return_index=True)
-        best = order[np.sort(first)][:k]
-        return [self._match(rank, int(row), float(distances[row])) for rank, row in enumerate(best, start=1)]
+        for rank, place in enumerate(np.sort(first).tolist(), start=1):
+            yield self._match(rank, order[place], float(distances[order[place]]))
+
+    def _passing(self, asked: Query, options: SearchOptions) -> NDArray[np.bool_]:
+        """Return whether each row passes the filters."""
+        passing = np.ones(len(self._rows.part), bool)
+        if options.holes is not None:
+            passing &= self._rows.holes == options.holes
+        if options.same_size is not None:
+            passing &= np.abs(np.sqrt(self._rows.area / asked.record.area) - 1) <= options.same_size
+        return passing
 
     def query(self, query: Any, profile: int | None = None) -> Query:
         """Return the profile to search with.
@@ -143,7 +174,7 @@ class Library:
             return Query(records[number], path, number)
         records = (query,) if isinstance(query, ProfileRecord) else self._records(query)
         number = comparable(records, profile, "query")
-        return Query(records[number], profile=number)
+        return Query(records[number], profile=number, thing=None if isinstance(query, ProfileRecord) else query)
 
     def known(self, path: Path) -> Sidecar | None:
         """Return the sidecar of a file if it is fresh and can be compared with this library, else None.
@@ -218,18 +249,22 @@ class _Rows:
     part: NDArray[np.intp]
     profile: NDArray[np.intp]
     stands_for_part: NDArray[np.bool_]
+    area: Floats
+    holes: NDArray[np.intp]
     stack: Stack
 
     @classmethod
     def of(cls, parts: tuple[tuple[Path, Sidecar], ...]) -> "_Rows":
         rows = [
-            (part, number, position == 0 or record.origin.face is None, record.vectors)
+            (part, number, position == 0 or record.origin.face is None, record)
             for part, (_, sidecar) in enumerate(parts)
             for position, (number, record) in enumerate(_comparable(sidecar))
         ]
-        part, profile, stands_for_part, vectors = zip(*rows, strict=True)
+        part, profile, stands_for_part, records = zip(*rows, strict=True)
         is_main = np.array(stands_for_part)
-        return cls(np.array(part), np.array(profile), is_main, Stack.of(vectors, is_main))
+        area, holes = (np.array([getattr(record, name) for record in records]) for name in ("area", "holes"))
+        stack = Stack.of([record.vectors for record in records], is_main)
+        return cls(np.array(part), np.array(profile), is_main, area, holes, stack)
 
 
 def _comparable(sidecar: Sidecar) -> Iterator[tuple[int, ProfileRecord]]:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from mashape_cad.library.record import ProfileRecord
+from mashape_cad.matching.relation import Relation
 
 __all__ = ["Match"]
 
@@ -24,6 +25,10 @@ class Match:
         0 for equal signatures; 3 is as far as two parts of this library typically are apart.
     record : ProfileRecord
         What the sidecar keeps of that profile: size, outline and axis for pictures.
+    relation : Relation or None
+        What it is to the query, if the two were laid over one another.
+    unverified : str or None
+        Why they could not be, if that was asked for.
     """
 
     rank: int
@@ -31,3 +36,5 @@ class Match:
     profile: int
     distance: float
     record: ProfileRecord
+    relation: Relation | None = None
+    unverified: str | None = None

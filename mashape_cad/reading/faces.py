@@ -112,11 +112,13 @@ def _reading(face: PlanarFace, gap_rel: float) -> _Reading:
     wide = np.flatnonzero(np.abs(areas) > _NO_AREA * diagonal**2).tolist()
     if len(wide) < len(loops):
         findings.append(_finding("loop-flat", Severity.LOST, f"{len(loops) - len(wide)} loops bound nothing", face))
-    profiles = _nested([loops[i] for i in wide], areas[wide], Origin(face=face.number, plane=face.plane))
+    gaps = [gap for each in joined for gap in each.gaps]
+    nested = _nested([loops[i] for i in wide], areas[wide], Origin(face=face.number, plane=face.plane))
+    profiles = tuple(replace(profile, gap=max(gaps, default=0.0)) for profile in nested)
     if not profiles:
         text = "the outline of a planar face does not close"
         findings.append(_finding("entity-face-open", Severity.LOST, text, face))
-    return _Reading(face, profiles, tuple(findings), tuple(gap / diagonal for each in joined for gap in each.gaps))
+    return _Reading(face, profiles, tuple(findings), tuple(gap / diagonal for gap in gaps))
 
 
 def _joined(wire: FlatWire, diagonal: float, gap_rel: float) -> _Joined:

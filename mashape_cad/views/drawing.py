@@ -14,6 +14,7 @@ __all__ = [
     "Anchor",
     "Area",
     "Circle",
+    "Difference",
     "Drawing",
     "Label",
     "Lines",
@@ -37,6 +38,15 @@ class Area:
     fill: str
     stroke: str | None = None
     width: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Difference:
+    """What lies in exactly one of two profiles, each an outer ring, (n, 2), and its holes."""
+
+    one: tuple[Floats, ...]
+    other: tuple[Floats, ...]
+    fill: str
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -74,7 +84,7 @@ class Label:
     bold: bool = False
 
 
-Shape = Area | Lines | Circle | Label
+Shape = Area | Difference | Lines | Circle | Label
 
 
 @dataclass(frozen=True, slots=True)

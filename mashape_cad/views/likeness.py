@@ -70,6 +70,11 @@ class Likeness:
                 branches.append(np.column_stack([trace.centre, trace.radius]))
         return cls(tuple(loops), tuple(branches))
 
+    def placed(self, placement: tuple[float, float, float, float, float, float]) -> "Likeness":
+        """Return the outline laid elsewhere, as `Relation.placement` says, without its axis."""
+        a, b, c, d, x, y = placement
+        return Likeness(tuple(loop @ np.array([[a, c], [b, d]]) + (x, y) for loop in self.loops))
+
     @property
     def bounds(self) -> Floats:
         """Box of the outline, mm: ((xmin, ymin), (xmax, ymax)); of no size if there is no outline."""

@@ -49,7 +49,7 @@ def scan_summary(summary: ScanSummary) -> str:
 
 
 def match_message(match: Match) -> str:
-    """Return the line of one match."""
+    """Return the line of one match; `relation` is null unless the hit was compared with the query (mode same)."""
     return _line(
         "match",
         rank=match.rank,
@@ -57,7 +57,25 @@ def match_message(match: Match) -> str:
         profile=match.profile,
         distance=match.distance,
         size_mm=match.record.size,
+        relation=match.relation and match.relation.kind,
+        **(_comparison(match) if match.relation or match.unverified else {}),
     )
+
+
+def _comparison(match: Match) -> dict[str, Any]:
+    """Return the numbers that justify a relation; they are null if the hit could not be compared."""
+    found = match.relation
+    return {
+        "scale": found and found.scale,
+        "mirrored": found and found.is_mirrored,
+        "hint": found and found.hint,
+        "deviation_mm": found and found.deviation_mm,
+        "area_difference": found and found.area_difference,
+        "common": found and found.common,
+        "tolerance_mm": found and found.tolerance_mm,
+        "placement": found and found.placement,
+        "unverified": match.unverified and valid_text(match.unverified),
+    }
 
 
 def search_summary(query: Path, profile: int | None, matches: int, parts: int, seconds: float) -> str:

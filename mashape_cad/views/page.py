@@ -1,6 +1,7 @@
 """The answer of a search as a sheet: the query first, then its matches in order; one HTML page or one PNG.
 
-Both are drawn from what sidecars hold, so that no part file is opened and no kernel loaded.
+Both are drawn from what sidecars hold, so that no part file is opened and no kernel loaded. That goes for hits that
+were compared with the query, too: the placement is known by then, and light outlines show what differs.
 """
 
 from collections.abc import Iterator, Sequence
@@ -9,12 +10,13 @@ from pathlib import Path
 
 from mashape_cad.library.match import Match
 from mashape_cad.library.record import ProfileRecord
+from mashape_cad.matching.relation import Relation
 from mashape_cad.views.colours import ACCENT, PAGE, PAPER, Theme
 from mashape_cad.views.drawing import Area, Drawing, Label, Placement, Shape, dimensions, printable, rectangle
 from mashape_cad.views.html import html
 from mashape_cad.views.likeness import Likeness
 from mashape_cad.views.output import checked_suffix, write
-from mashape_cad.views.profile_panel import axis_lines, outline
+from mashape_cad.views.profile_panel import axis_lines, outline, overlay
 from mashape_cad.views.raster import png
 
 __all__ = ["SUFFIXES", "write_sheet"]
@@ -33,15 +35,20 @@ class _Tile:
     place: str
     facts: str
     record: ProfileRecord
+    query: ProfileRecord | None = None
+    relation: Relation | None = None
+    finding: str = ""
 
     @property
     def spoken(self) -> str:
         """What the picture is called where it cannot be seen."""
-        return f"{self.heading}: {self.name}, {self.facts}"
+        return ", ".join([f"{self.heading}: {self.name}", *([self.finding] if self.finding else []), self.facts])
 
 
 def write_sheet(out: Path, query: ProfileRecord, matches: Sequence[Match], name: str = "the query") -> None:
     """Draw a query and its matches, each with outline, medial axis, rank, name, distance and size.
+
+    A match that was compared with the query is laid over it, with the relation and what differs.
 
     Parameters
     ----------
@@ -60,13 +67,28 @@ def write_sheet(out: Path, query: ProfileRecord, matches: Sequence[Match], name:
     """
     suffix = checked_suffix(out, SUFFIXES)
     asked = _Tile("query", printable(name), "", _size(query), query)
-    tiles = [_tile(match) for match in matches]
+    tiles = [_tile(match, query) for match in matches]
     write(out, png(_sheet(asked, tiles)) if suffix == ".png" else _html(asked, tiles).encode())
 
 
-def _tile(match: Match) -> _Tile:
+def _tile(match: Match, query: ProfileRecord) -> _Tile:
+    said, name = _finding(match), printable(match.path.name)
+    return _Tile(str(match.rank), name, _place(match), _facts(match), match.record, query, match.relation, said)
+
+
+def _finding(match: Match) -> str:
+    found = match.relation
+    if found is None:
+        return "not compared" if match.unverified else ""
+    return str(found)
+
+
+def _facts(match: Match) -> str:
     facts = f"distance {match.distance:.3f} · {_size(match.record)}"
-    return _Tile(str(match.rank), printable(match.path.name), _place(match), facts, match.record)
+    if match.relation is None:
+        return facts
+    off = f"off by {round(match.relation.deviation_mm, 6):.2g} mm"
+    return f"{off} · {match.relation.area_difference:.2%} of the area differs"
 
 
 def _place(match: Match) -> str:
@@ -77,27 +99,32 @@ def _size(record: ProfileRecord) -> str:
     return dimensions(*record.size)
 
 
-def _explanation(count: int) -> str:
-    if not count:
+def _explanation(tiles: Sequence[_Tile]) -> str:
+    if not tiles:
         return "No part was found."
-    parts = "1 part" if count == 1 else f"{count} parts, the nearest first"
+    parts = "1 part" if len(tiles) == 1 else f"{len(tiles)} parts, the nearest first"
+    if any(tile.relation for tile in tiles):
+        lines = "Each is laid over the query (thin line): what only one of the two covers is red"
+        return f"{parts}. {lines}. Off by: the largest distance of the outlines."
     axis = "The lines inside are the medial axis, brighter where there is more room"
     return f"{parts}. Distance 0 means equal signatures. {axis}."
 
 
 def _html(query: _Tile, tiles: Sequence[_Tile]) -> str:
-    return html("sheet.html", query=query, tiles=tiles, explanation=_explanation(len(tiles)), drawing=_tile_drawing)
+    return html("sheet.html", query=query, tiles=tiles, explanation=_explanation(tiles), drawing=_tile_drawing)
 
 
 def _tile_drawing(tile: _Tile) -> Drawing:
-    return Drawing(*_TILE, tile.spoken, tuple(_profile(tile.record, 0, 0, *_TILE, PAGE)))
+    return Drawing(*_TILE, tile.spoken, tuple(_picture(tile, 0, 0, *_TILE, PAGE)))
 
 
-def _profile(
-    record: ProfileRecord, left: float, top: float, width: float, height: float, theme: Theme
-) -> Iterator[Shape]:
-    likeness = Likeness.of_record(record)
-    placement = Placement.fitting(likeness.bounds, left + 3, top + 3, width - 6, height - 6)
+def _picture(tile: _Tile, left: float, top: float, width: float, height: float, theme: Theme) -> Iterator[Shape]:
+    box = left + 3, top + 3, width - 6, height - 6
+    likeness = Likeness.of_record(tile.record)
+    if tile.query and tile.relation:
+        yield from overlay(Likeness.of_record(tile.query), likeness.placed(tile.relation.placement), box, theme)
+        return
+    placement = Placement.fitting(likeness.bounds, *box)
     yield from outline(likeness, placement, theme, 1.1)
     yield from axis_lines(likeness, placement, theme, 1.5)
 
@@ -112,7 +139,7 @@ def _sheet(query: _Tile, tiles: Sequence[_Tile]) -> Drawing:
     rows = -(-(1 + len(tiles)) // columns)
     shapes: list[Shape] = [
         Label(_MARGIN, 42, f"Parts like {printable(query.name, 60)}", 21, PAPER.ink, bold=True),
-        Label(_MARGIN, 64, _explanation(len(tiles)), 12.5, PAPER.muted),
+        Label(_MARGIN, 64, _explanation(tiles), 12.5, PAPER.muted),
     ]
     for i, tile in enumerate([query, *tiles]):
         row, column = divmod(i, columns)
@@ -126,8 +153,11 @@ def _sheet(query: _Tile, tiles: Sequence[_Tile]) -> Drawing:
 def _cell(tile: _Tile, left: float, top: float, width: float, height: float, *, is_query: bool) -> Iterator[Shape]:
     edge, weight = (ACCENT, 2.0) if is_query else (PAPER.faint, 1.0)
     yield Area((rectangle(left, top, width, height),), PAPER.background, edge, weight)
-    yield from _profile(tile.record, left + _PADDING, top + _PADDING, *_TILE, PAPER)
-    base, indent = top + height - _CAPTION + 28, left + _PADDING + 14 + 10 * len(tile.heading)
+    yield from _picture(tile, left + _PADDING, top + _PADDING, *_TILE, PAPER)
+    lift = 6 if tile.finding else 0  # room for one line more
+    base, indent = top + height - _CAPTION + 28 - lift, left + _PADDING + 14 + 10 * len(tile.heading)
     yield Label(left + _PADDING, base, tile.heading, 15, ACCENT if is_query else PAPER.ink, bold=True)
     yield Label(indent, base, printable(tile.name, 24), 14, PAPER.ink)
-    yield Label(indent, base + 19, tile.facts, 11.5, PAPER.muted)
+    if tile.finding:
+        yield Label(indent, base + 17, tile.finding, 11.5, PAPER.ink, bold=True)
+    yield Label(indent, base + (32 if tile.finding else 19), tile.facts, 11.5, PAPER.muted)

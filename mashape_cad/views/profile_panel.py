@@ -6,10 +6,21 @@ from collections.abc import Iterator
 import numpy as np
 
 from mashape_cad.views.colours import Theme, runs_by_colour
-from mashape_cad.views.drawing import Anchor, Area, Circle, Floats, Label, Lines, Placement, Shape, rectangle
+from mashape_cad.views.drawing import (
+    Anchor,
+    Area,
+    Circle,
+    Difference,
+    Floats,
+    Label,
+    Lines,
+    Placement,
+    Shape,
+    rectangle,
+)
 from mashape_cad.views.likeness import Likeness
 
-__all__ = ["axis_lines", "colour_bar", "junctions", "maximal_discs", "outline"]
+__all__ = ["axis_lines", "colour_bar", "junctions", "maximal_discs", "outline", "overlay"]
 
 _MOST_DISCS = 10
 # Discs below this share of the largest would look like specks.
@@ -26,6 +37,17 @@ _SAME = 0.01
 def outline(likeness: Likeness, placement: Placement, theme: Theme, width: float) -> Iterator[Shape]:
     """Yield the profile, filled lightly, holes left out."""
     yield Area(tuple(placement.apply(loop) for loop in likeness.loops), theme.fill, theme.ink, width)
+
+
+def overlay(under: Likeness, over: Likeness, box: tuple[float, float, float, float], theme: Theme) -> Iterator[Shape]:
+    """Yield two profiles on top of one another in a box (left, top, width, height) of the canvas."""
+    bounds = np.stack([under.bounds, over.bounds])
+    placement = Placement.fitting(np.array([bounds[:, 0].min(axis=0), bounds[:, 1].max(axis=0)]), *box)
+    below, above = (tuple(placement.apply(loop) for loop in each.loops) for each in (under, over))
+    yield Area(above, theme.fill)
+    yield Difference(below, above, theme.wrong)
+    yield Area(above, "none", theme.ink, 1.3)
+    yield Area(below, "none", theme.muted, 0.6)
 
 
 def axis_lines(likeness: Likeness, placement: Placement, theme: Theme, width: float) -> Iterator[Shape]:

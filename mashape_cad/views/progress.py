@@ -12,7 +12,7 @@ from mashape_cad.library.freshness import Status
 from mashape_cad.scanning import Event, FileScanned, ScanStarted, ScanSummary
 from mashape_cad.views.messages import readable
 
-__all__ = ["scan_progress", "summary_sentence"]
+__all__ = ["comparing_progress", "scan_progress", "summary_sentence"]
 
 # Shown till the first file has been read.
 _STARTING = "starting (once after an installation: compiling for a minute or two)"
@@ -43,6 +43,16 @@ def scan_progress(stream: TextIO, *, bar: bool) -> Iterator[Callable[[Event], No
             progress.update(task, advance=1, description=f"{failed} failed" if failed else "")
 
         yield tell
+
+
+@contextmanager
+def comparing_progress(stream: TextIO, total: int, *, bar: bool) -> Iterator[Callable[[], None]]:
+    """Give a function that is told of each hit that has been compared."""
+    console = Console(file=stream, highlight=False)
+    columns = (TextColumn("comparing"), BarColumn(), MofNCompleteColumn())
+    with Progress(*columns, console=console, transient=True, disable=not bar, redirect_stdout=False) as shown:
+        task = shown.add_task("", total=total)
+        yield lambda: shown.update(task, advance=1)
 
 
 def summary_sentence(summary: ScanSummary) -> str:

@@ -3,11 +3,12 @@
 
 import io
 import warnings
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from mashape_cad.views.drawing import Anchor, Area, Circle, Drawing, Floats, Label, Lines, Shape, printable
+from mashape_cad.views.drawing import Anchor, Area, Circle, Difference, Drawing, Floats, Label, Lines, Shape, printable
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -56,7 +57,12 @@ def _artist(shape: Shape) -> "Artist":
     patch: Patch
     match shape:
         case Area():
-            patch = patches.PathPatch(_closed(shape.rings), facecolor=shape.fill, edgecolor=shape.stroke or "none")
+            path = _closed(_wound(shape.rings, left=True))
+            patch = patches.PathPatch(path, facecolor=shape.fill, edgecolor=shape.stroke or "none")
+        case Difference():
+            path = _closed([*_wound(shape.one, left=True), *_wound(shape.other, left=False)])
+            patch = patches.PathPatch(path, facecolor=shape.fill, edgecolor="none", linewidth=0)
+            return patch
         case Lines():
             patch = patches.PathPatch(_open(shape.runs), facecolor="none", edgecolor=shape.colour, capstyle="round")
         case Circle():
@@ -85,14 +91,21 @@ def _text(label: Label) -> "Artist":
     )
 
 
-def _closed(rings: tuple[Floats, ...]) -> "Path":
-    """Make one path of rings; Agg fills by winding, so holes run the other way round to be left out."""
+def _closed(rings: Sequence[Floats]) -> "Path":
+    """Make one path of rings, which is filled where it winds round."""
     from matplotlib.path import Path
 
+    codes = [[Path.MOVETO, *[Path.LINETO] * (len(ring) - 1), Path.CLOSEPOLY] for ring in rings]
+    return Path(np.concatenate([np.concatenate([ring, ring[:1]]) for ring in rings]), np.concatenate(codes))
+
+
+def _wound(rings: Sequence[Floats], *, left: bool) -> list[Floats]:
+    """Turn an outer ring one way and its holes the other, so that a path winds round the material alone.
+
+    Agg fills by winding. Of two profiles, wound in opposite ways, it leaves out what they share.
+    """
     outer, *holes = rings
-    turned = [_turned(outer, left=True), *(_turned(hole, left=False) for hole in holes)]
-    codes = [[Path.MOVETO, *[Path.LINETO] * (len(ring) - 1), Path.CLOSEPOLY] for ring in turned]
-    return Path(np.concatenate([np.concatenate([ring, ring[:1]]) for ring in turned]), np.concatenate(codes))
+    return [_turned(outer, left=left), *(_turned(hole, left=not left) for hole in holes)]
 
 
 def _open(runs: tuple[Floats, ...]) -> "Path":

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from xml.sax.saxutils import escape, quoteattr
 
-from mashape_cad.views.drawing import Area, Circle, Drawing, Floats, Label, Lines, Shape, printable
+from mashape_cad.views.drawing import Area, Circle, Difference, Drawing, Floats, Label, Lines, Shape, printable
 
 __all__ = ["FONT", "svg"]
 
@@ -39,6 +39,9 @@ def _element(shape: Shape) -> Iterator[str]:
             outline = f' stroke="{shape.stroke}" stroke-width="{_number(shape.width)}"' if shape.stroke else ""
             path = "".join(_path(ring) + "Z" for ring in rings)
             yield f'<path d="{path}" fill="{shape.fill}" fill-rule="evenodd" stroke-linejoin="round"{outline}/>'
+        case Difference():
+            path = "".join(_path(ring) + "Z" for ring in shape.one + shape.other)
+            yield f'<path d="{path}" fill="{shape.fill}" fill-rule="evenodd"/>'
         case Lines(runs=runs) if runs:
             path = "".join(_path(run) for run in runs)
             yield (

@@ -17,14 +17,19 @@ __all__ = ["certificate_line", "print_matches"]
 _UNBOUNDED = 10_000
 
 
-def print_matches(matches: Sequence[Match], stream: TextIO) -> None:
-    """Print rank, part, profile, distance and size (width x height, mm) of each match."""
+def print_matches(matches: Sequence[Match], stream: TextIO, *, compared: bool = False) -> None:
+    """Print rank, part, profile, distance and size (width x height, mm) of each match.
+
+    `compared` with the query (mode same), also what it is to it and what says so.
+    """
     console = Console(file=stream, width=None if stream.isatty() else _UNBOUNDED, highlight=False)
     table = Table(box=None, pad_edge=False, header_style="bold")
-    for heading in ("rank", "part", "profile", "distance", "size (mm)"):
-        table.add_column(heading, justify="left" if heading == "part" else "right", overflow="fold")
+    comparison = ("relation", "deviation (mm)", "area differs") if compared else ()
+    for heading in ("rank", "part", "profile", "distance", "size (mm)", *comparison):
+        table.add_column(heading, justify="left" if heading in ("part", "relation") else "right", overflow="fold")
     for match in matches:
-        table.add_row(*(Text(cell) for cell in _row(match)))  # as text: a file name may look like markup
+        cells = _row(match) + (_relation(match) if compared else ())
+        table.add_row(*(Text(cell) for cell in cells))  # as text: a file name may look like markup
     console.print(table)
 
 
@@ -43,6 +48,12 @@ def certificate_line(profile: int, record: ProfileRecord) -> str:
         errors += "" if error is None else f", {name} error {error:.1e}"
     reason = f"; {axis.reason}" if axis.reason else ""
     return f"{'ok' if axis.ok else 'no'}  {shape}; {graph}, {whole}; {errors}{reason}"
+
+
+def _relation(match: Match) -> tuple[str, str, str]:
+    if match.relation is None:
+        return "not compared", "", ""
+    return str(match.relation), f"{round(match.relation.deviation_mm, 6):.3g}", f"{match.relation.area_difference:.2%}"
 
 
 def _row(match: Match) -> tuple[str, ...]:

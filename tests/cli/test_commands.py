@@ -407,3 +407,40 @@ def test_closed_pipe_is_quiet(folder, repository):
     environment = os.environ | {"PYTHONPATH": str(repository)}
     done = subprocess.run(["sh", "-c", command], env=environment, capture_output=True, text=True, check=False)
     assert done.stderr == ""
+
+
+# Filters, and hits laid over the query
+
+
+def test_filters_are_switches(folder, run):
+    """Without a number --same-size has one of its own; all parts here are squares of 10 mm without holes."""
+    assert len(_messages(run("search", folder / "a.dxf", "--json", "--same-size")[1])) == 4
+    assert len(_messages(run("search", folder / "a.dxf", "--json", "--same-size=0.01", "--holes", "0")[1])) == 4
+    assert len(_messages(run("search", folder / "a.dxf", "--json", "--holes", "1")[1])) == 1
+
+
+def test_no_mirror_needs_hits_to_be_compared(folder, run):
+    """A switch that cannot be honoured is refused."""
+    code, _, told = run("search", folder / "a.dxf", "--no-mirror")
+    assert code == 2
+    assert "--mode same" in told[-1]
+
+
+def test_mode_same_says_what_hits_are(tmp_path, run):
+    """Those that are gone are told on stderr, and the exit code is that of a search that was done."""
+    from drawings import write_drawing
+    from stand_ins import sidecar
+
+    square = [(0, 0), (10, 0), (10, 10), (0, 10)]
+    for name in ("a.dxf", "b.dxf", "c.dxf"):
+        path = write_drawing(tmp_path / name, lambda space: space.add_lwpolyline(square, close=True))
+        write_sidecar(sidecar_path(path), sidecar(source_of(path), profile_record(0, 1, 2, 3)))
+    changed = write_drawing(tmp_path / "c.dxf", lambda space: space.add_circle((0, 0), 5))
+    code, lines, told = run("search", tmp_path / "a.dxf", "--mode", "same", "--json")
+    messages = _messages(lines)
+    assert code == 0
+    assert [each.get("relation") for each in messages] == ["identical", "identical", None, None]
+    assert messages[1]["deviation_mm"] < 1e-9
+    assert any(f"not compared: {changed}: it has changed" in line for line in told)
+    _, lines, _ = run("search", tmp_path / "a.dxf", "--mode", "same", "-q")
+    assert lines[1].split()[-3:] == ["identical", "0", "0.00%"]

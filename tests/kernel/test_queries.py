@@ -1,5 +1,6 @@
 import numpy as np
 import pytest
+from catalogue import polygon
 from random_edges import random_edges
 from scipy.spatial import cKDTree
 
@@ -190,3 +191,15 @@ def test_lines_and_arcs_end_where_they_end(beyond, height):
     assert distances([Line.of((0, 0), (1, 0))], [(1 + beyond, height), (-beyond, height)]) == pytest.approx(expected)
     arc = Arc.of((0, -2), 2.0, np.pi / 2, 0.5)  # from (0, 0) to the left
     assert distances([arc, arc.reversed()], [(beyond, height)]) == pytest.approx([expected], rel=1e-6)
+
+
+@pytest.mark.parametrize("aside", [1e-8, 1e-7])
+def test_places_nearest_to_points_a_hair_beside_a_vertex(aside):
+    """The kernel overshoots the end of a line there; the place given was that of another point, far away."""
+    shape = [(0, 0), (80, 0), (80, 18), (20, 18), (20, 50), (0, 50)]
+    corners = Similarity.of(2.0, 0.4, (3.0, 4.0), mirror=True).apply(shape)
+    query = DistanceQuery(Profile.of(polygon([(float(x), float(y)) for x, y in corners])))
+    angle = np.random.default_rng(0).uniform(0, 2 * np.pi, 400)
+    points = (corners[:, None] + aside * np.column_stack([np.cos(angle), np.sin(angle)])).reshape(-1, 2)
+    distance, nearest = query.nearest(points)
+    assert np.linalg.norm(nearest - points, axis=1) == pytest.approx(distance, abs=1e-6)

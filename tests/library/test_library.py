@@ -14,7 +14,7 @@ from mashape_cad.library.freshness import source_of
 from mashape_cad.library.library import Library
 from mashape_cad.library.record import Failure, OriginRecord, Sidecar
 from mashape_cad.library.sidecar import sidecar_path, write_sidecar
-from mashape_cad.options import PartOptions, ReadOptions
+from mashape_cad.options import PartOptions, ReadOptions, SearchOptions
 
 
 @pytest.fixture
@@ -247,3 +247,32 @@ def test_module_does_not_load_the_kernel():
     heavy = ("OCP", "ezdxf", "numba", "matplotlib")
     assert not set(heavy) & set(vars(module))
     assert module.__name__ in sys.modules
+
+
+def _sized(area, holes):
+    return replace(profile_record(0, 1, 2, 4), area=area, holes=holes)
+
+
+def test_parts_of_another_size_can_be_left_out(folder):
+    """By the square root of the area: 100 and 110 mm2 differ by 4.9 % in size, 121 by 10 %."""
+    put_part(folder / "x110.dxf", _sized(110.0, 0))
+    put_part(folder / "x121.dxf", _sized(121.0, 0))
+    library = Library(folder)
+    names = set(_names(library.search(folder / "a.dxf", options=SearchOptions(same_size=0.05))))
+    assert ("x110.dxf" in names, "x121.dxf" in names) == (True, False)
+    names = set(_names(library.search(folder / "a.dxf", options=SearchOptions(same_size=0.11))))
+    assert {"x110.dxf", "x121.dxf"} <= names
+
+
+def test_parts_with_another_number_of_holes_can_be_left_out(folder):
+    """Even the query itself."""
+    put_part(folder / "two.dxf", _sized(100.0, 2))
+    matches = Library(folder).search(folder / "a.dxf", options=SearchOptions(holes=2))
+    assert [(match.rank, match.path.name) for match in matches] == [(1, "two.dxf")]
+
+
+def test_a_part_stands_by_the_nearest_profile_that_passes(folder):
+    """A filter is about profiles: another one of the same drawing may pass."""
+    put_part(folder / "sheet.dxf", profile_record(0, 1, 2, 3), replace(profile_record(9, 10, 11, 12), holes=3))
+    (match,) = Library(folder).search(folder / "a.dxf", options=SearchOptions(holes=3))
+    assert (match.path.name, match.profile) == ("sheet.dxf", 1)

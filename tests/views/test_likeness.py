@@ -1,3 +1,4 @@
+import numpy as np
 import pytest
 
 from mashape_cad.views.likeness import Likeness
@@ -17,3 +18,10 @@ def test_nothing_has_no_size():
     """A record of a profile without extent holds no loops."""
     assert Likeness(()).bounds.tolist() == [[0, 0], [0, 0]]
     assert Likeness(()).largest_radius == 0
+
+
+def test_an_outline_is_laid_elsewhere_by_six_numbers():
+    """A point (p, q) lies at (a p + b q + x, c p + d q + y)."""
+    laid = Likeness((np.array([(1.0, 2.0)]),)).placed((0.0, -1.0, 1.0, 0.0, 10.0, 20.0))
+    assert laid.loops[0].tolist() == [[8.0, 21.0]]
+    assert laid.branches == ()

@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 from stand_ins import AXIS, REFUSED, face_record, profile_record
 
-from mashape_cad.views.messages import certificate_message, readable
+from mashape_cad.library.match import Match
+from mashape_cad.matching.relation import Kind, Relation
+from mashape_cad.views.messages import certificate_message, match_message, readable
 
 PROMISED = {
     "path", "profile", "edges", "holes", "area_mm2", "perimeter_mm", "max_radius_mm", "branches", "junctions", "ends",
@@ -66,3 +68,30 @@ def test_a_reason_on_record_is_told():
 def test_paths_are_valid_text():
     """Whatever bytes a file name has."""
     assert readable(Path("L\udce4nge/ä.dxf")) == str(Path("L\ufffdnge/ä.dxf"))
+
+
+def _match(**more):
+    return json.loads(match_message(Match(1, Path("a.dxf"), 0, 0.25, profile_record(1), **more)))
+
+
+def test_a_match_has_no_relation_unless_it_was_compared():
+    """The field is there, and null."""
+    message = _match()
+    assert (message["relation"], message["distance"]) == (None, 0.25)
+    assert "scale" not in message
+
+
+def test_a_match_that_was_compared_has_the_numbers():
+    """Others rely on these fields."""
+    relation = Relation(Kind.SCALED, 25.4, True, 0.5, 0.02, 0.9, 0.1, (0.0, 1.0, -1.0, 0.0, 3.0, 4.0))
+    message = _match(relation=relation)
+    assert (message["relation"], message["scale"], message["mirrored"]) == ("scaled", 25.4, True)
+    assert (message["deviation_mm"], message["area_difference"], message["hint"]) == (0.5, 0.02, "inch/mm?")
+    assert message["placement"] == [0.0, 1.0, -1.0, 0.0, 3.0, 4.0]
+    assert message["unverified"] is None
+
+
+def test_a_match_that_could_not_be_compared_says_why():
+    """The numbers are null."""
+    message = _match(unverified="a.dxf: it is gone")
+    assert (message["relation"], message["scale"], message["unverified"]) == (None, None, "a.dxf: it is gone")

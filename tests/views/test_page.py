@@ -10,6 +10,7 @@ import pytest
 
 from mashape_cad.errors import MashapeError
 from mashape_cad.library.match import Match
+from mashape_cad.matching.relation import Kind, Relation
 from mashape_cad.views.page import write_sheet
 
 NAMES = ("gear.dxf", "Träger <1> & Söhne.step", 'a"quoted".dxf', "odd\udce4.dxf")
@@ -127,3 +128,19 @@ def test_another_suffix_is_refused_by_naming_the_known_ones(plate, matches, tmp_
     with pytest.raises(MashapeError, match=r"answer\.pdf.*\.html or \.png"):
         write_sheet(tmp_path / "answer.pdf", plate, matches)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_hits_that_were_compared_are_laid_over_the_query(plate, tmp_path):
+    """The tile says what the hit is and how far it is off, and shows what differs."""
+    relation = Relation(Kind.SCALED, 25.4, False, 0.25, 0.031, 0.9, 0.1, (1.0, 0.0, 0.0, 1.0, 2.0, 0.0))
+    matches = [
+        Match(1, Path("a.dxf"), 0, 0.5, plate, relation=relation),
+        Match(2, Path("b.dxf"), 0, 0.6, plate, unverified="b.dxf: gone"),
+    ]
+    text = page(tmp_path, plate, matches, "query.dxf")
+    shown = Reader(text)
+    assert shown.of("finding") == ["scaled by 25.4 (inch/mm?)", "not compared"]
+    assert shown.of("facts")[1] == "off by 0.25 mm · 3.10% of the area differs"
+    assert text.count('fill="var(--wrong)"') == 1
+    write_sheet(tmp_path / "sheet.png", plate, matches, "query.dxf")
+    assert (tmp_path / "sheet.png").stat().st_size > 1000

@@ -1,9 +1,9 @@
 import numpy as np
 
 from mashape_cad.views.colours import PAPER
-from mashape_cad.views.drawing import Circle, Placement
+from mashape_cad.views.drawing import Area, Circle, Difference, Placement
 from mashape_cad.views.likeness import Likeness
-from mashape_cad.views.profile_panel import axis_lines, junctions, maximal_discs
+from mashape_cad.views.profile_panel import axis_lines, junctions, maximal_discs, overlay
 
 SQUARE = np.array([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
 AS_IT_IS = Placement(1.0, 0.0, 0.0)
@@ -57,3 +57,12 @@ def test_the_axis_of_a_disc_is_a_dot():
     dot, *lines = axis_lines(Likeness((SQUARE,), (np.array([(5.0, 5.0, 5.0)]),)), AS_IT_IS, PAPER, 2.0)
     assert (dot.x, dot.y) == (5, -5)
     assert all(not line.runs for line in lines)
+
+
+def test_an_overlay_shows_both_outlines_and_what_only_one_covers():
+    """In one scale, so that both fit into the box."""
+    shapes = list(overlay(Likeness((SQUARE,)), Likeness((SQUARE + np.array([10.0, 0.0]),)), (0, 0, 40, 20), PAPER))
+    (difference,) = (shape for shape in shapes if isinstance(shape, Difference))
+    assert difference.one[0].tolist() == [[0, 20], [20, 20], [20, 0], [0, 0]]
+    assert difference.other[0].tolist() == [[20, 20], [40, 20], [40, 0], [20, 0]]
+    assert [shape.stroke for shape in shapes if isinstance(shape, Area) and shape.stroke] == [PAPER.ink, PAPER.muted]

@@ -3,7 +3,7 @@ import io
 import matplotlib.image
 import numpy as np
 
-from mashape_cad.views.drawing import Area, Circle, Drawing, Label, Lines, rectangle
+from mashape_cad.views.drawing import Area, Circle, Difference, Drawing, Label, Lines, rectangle
 from mashape_cad.views.raster import png
 
 
@@ -58,3 +58,13 @@ def test_the_same_drawing_gives_the_same_bytes():
     drawing = Drawing(60, 40, "a part", (Label(5, 20, "words", 12, "#000000"),), "#ffffff")
     assert png(drawing) == png(drawing)
     assert b"matplotlib" not in png(drawing).lower()
+
+
+def test_a_difference_is_what_only_one_profile_covers():
+    """Holes count, and the ways in which rings run do not."""
+    one, hole, other = rectangle(5, 5, 30, 30), rectangle(10, 10, 6, 6), rectangle(20, 5, 30, 30)
+    for turn in (1, -1):
+        image = pixels(Difference((one[::turn], hole), (other[::-turn],), "#ff0000"))
+        red, white = [255, 0, 0], [255, 255, 255]
+        places = [(7, 20), (13, 13), (28, 20), (45, 20), (55, 20)]
+        assert [image[y, x].tolist() for x, y in places] == [red, white, white, red, white]

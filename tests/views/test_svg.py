@@ -4,7 +4,7 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 
-from mashape_cad.views.drawing import Area, Circle, Drawing, Label, Lines, rectangle
+from mashape_cad.views.drawing import Area, Circle, Difference, Drawing, Label, Lines, rectangle
 from mashape_cad.views.svg import svg
 
 NAMES = {"svg": "http://www.w3.org/2000/svg"}
@@ -53,3 +53,9 @@ def test_names_cannot_break_out():
 def test_shapes_of_nothing_leave_no_trace():
     """An area without rings, lines without runs."""
     assert len(tree(Area((), "#000000"), Lines((), "#000000", 1))) == 1
+
+
+def test_a_difference_is_one_path_by_the_even_odd_rule():
+    """So that what both profiles cover stays free."""
+    text = svg(Drawing(10, 10, "x", (Difference((rectangle(0, 0, 5, 5),), (rectangle(2, 0, 5, 5),), "#ff0000"),)))
+    assert '<path d="M0 0L5 0L5 5L0 5ZM2 0L7 0L7 5L2 5Z" fill="#ff0000" fill-rule="evenodd"/>' in text

@@ -7,14 +7,15 @@ from pathlib import Path
 from stand_ins import AXIS, face_record, profile_record
 
 from mashape_cad.library.match import Match
+from mashape_cad.matching.relation import Kind, Relation
 from mashape_cad.views.table import certificate_line, print_matches
 
 
-def _printed(*matches, width=None):
+def _printed(*matches, width=None, compared=False):
     stream = io.StringIO()
     if width:
         stream.isatty = lambda: True
-    print_matches(matches, stream)
+    print_matches(matches, stream, compared=compared)
     return stream.getvalue().splitlines()
 
 
@@ -45,3 +46,12 @@ def test_certificates():
     )
     doubtful = replace(profile_record(1), axis=replace(AXIS, connected=False, ok=False))
     assert certificate_line(0, doubtful).startswith("no  ")
+
+
+def test_hits_that_were_compared_say_what_they_are():
+    """With the numbers that justify it; one that could not be read says that."""
+    relation = Relation(Kind.SCALED, 25.4, False, 1.234e-9, 0.00021, 1.0, 0.1, (1.0, 0.0, 0.0, 1.0, 0.0, 0.0))
+    told = Match(1, Path("a.dxf"), 0, 0.0, profile_record(1), relation=relation)
+    lines = _printed(told, Match(2, Path("b.dxf"), 0, 0.5, profile_record(1), unverified="gone"), compared=True)
+    assert lines[1].endswith("scaled by 25.4 (inch/mm?)               0         0.02%")
+    assert lines[2].rstrip().endswith("not compared")

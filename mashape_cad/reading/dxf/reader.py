@@ -50,7 +50,8 @@ def _profiles(chained: Sequence[ChainedLoop]) -> tuple[list[Profile], list[Findi
     loops = [one.loop for one in chained]
     nested = nest(loops)
     profiles = [
-        Profile.of(loops[one.outer], [loops[hole] for hole in one.holes], _origin(chained, one)) for one in nested
+        Profile.of(loops[one.outer], [loops[hole] for hole in one.holes], _origin(chained, one), _gap(chained, one))
+        for one in nested
     ]
     return sorted(profiles, key=lambda profile: -profile.area), _frame_findings(
         chained, looks_like_frame(loops, nested)
@@ -61,6 +62,10 @@ def _origin(chained: Sequence[ChainedLoop], nested: Nested) -> Origin:
     members = [chained[number] for number in (nested.outer, *nested.holes)]
     handles = dict.fromkeys(handle for member in members for handle in member.handles)
     return Origin(layer=chained[nested.outer].layers[0], handles=tuple(handles))
+
+
+def _gap(chained: Sequence[ChainedLoop], nested: Nested) -> float:
+    return max(chained[number].gap for number in (nested.outer, *nested.holes))
 
 
 def _frame_findings(chained: Sequence[ChainedLoop], frame: Nested | None) -> list[Finding]:
