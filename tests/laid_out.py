@@ -48,7 +48,7 @@ def gaps_of(faces: Faces) -> range:
 def walked(faces: Faces, gap: int) -> Face:
     """Return the gaps of a face by the rule: along a gap, then clockwise round the disc at its end."""
     face = [gap]
-    while (following := int(faces.contact[faces.contact[face[-1]].after].clockwise)) != gap:
+    while (following := int(faces.contact[faces.contact[face[-1]]["after"]]["clockwise"])) != gap:
         assert following not in face, "a walk round a face comes back to its start"
         face.append(following)
     return tuple(face)
@@ -62,8 +62,8 @@ def all_faces(faces: Faces) -> list[Face]:
 def contact_of(faces: Faces, gap: int) -> Contact:
     """Return first and last place of the contact at which a gap starts."""
     first, last = (
-        (faces.contact[gap].first_e, faces.contact[gap].first_t),
-        (faces.contact[gap].last_e, faces.contact[gap].last_t),
+        (faces.contact[gap]["first_e"], faces.contact[gap]["first_t"]),
+        (faces.contact[gap]["last_e"], faces.contact[gap]["last_t"]),
     )
     return (int(first[0]), float(first[1])), (int(last[0]), float(last[1]))
 

@@ -232,9 +232,7 @@ class Line(Edge):
 
     def spans(self) -> tuple[Floats, Floats]:
         """See `Edge.spans`."""
-        control = np.ones((1, 2, 3))
-        control[0, :, :2] = self.first, self.last
-        return control, np.array([0.0, 1.0])
+        return np.array([[(*self.first.tolist(), 1.0), (*self.last.tolist(), 1.0)]]), np.array([0.0, 1.0])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -297,20 +295,13 @@ class EllipseArc(Edge):
         count = max(1, math.ceil(abs(self.sweep) / _MAX_ARC_SPAN))
         (x, y), (ax, ay), (bx, by) = self.centre.tolist(), self.axis_a.tolist(), self.axis_b.tolist()
         weight = math.cos(self.sweep / count / 2)
-        control = np.ones((count, 3, 3))
-        control[:, 1, 2] = weight
+        rows = []
         for i in range(2 * count + 1):  # ends, and between them the points where neighbouring tangents meet
             angle = self.start_angle + i * self.sweep / (2 * count)
-            cos, sin = math.cos(angle), math.sin(angle)
-            if i % 2:
-                control[i // 2, 1, :2] = weight * x + cos * ax + sin * bx, weight * y + cos * ay + sin * by
-                continue
-            point = x + cos * ax + sin * bx, y + cos * ay + sin * by
-            if i > 0:
-                control[i // 2 - 1, 2, :2] = point
-            if i < 2 * count:
-                control[i // 2, 0, :2] = point
-        return control, np.linspace(0.0, 1.0, count + 1)
+            cos, sin, w = math.cos(angle), math.sin(angle), weight if i % 2 else 1.0
+            rows.append((w * x + cos * ax + sin * bx, w * y + cos * ay + sin * by, w))
+        control = [rows[i : i + 3] for i in range(0, 2 * count, 2)]
+        return np.array(control), np.array([i / count for i in range(count + 1)])
 
 
 @dataclass(frozen=True, slots=True, eq=False)

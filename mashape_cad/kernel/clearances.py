@@ -6,7 +6,7 @@ of the kernel for each disc confirm its radius. Who knows nothing beforehand ask
 
 from collections.abc import Sequence
 from itertools import pairwise
-from math import hypot, inf, sqrt
+from math import sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,18 +23,20 @@ __all__ = ["clearances"]
 # Of the kernel's parameter, its own default; a distance is off by about its square.
 _TOLERANCE = 1e-10
 
-_Piece = tuple[Extrema_ExtPC2d, Geom2dAdaptor_Curve, tuple[float, float], tuple[float, float]]
+_Point = tuple[float, float]
+# A search, the curve that it only points to, the curve's first and last parameter, and its end points.
+_Piece = tuple[Extrema_ExtPC2d, Geom2dAdaptor_Curve, float, float, tuple[_Point, _Point]]
 
 
 def clearances(
-    edges: Sequence[tuple[Edge, Floats]], points: Floats, row: NDArray[np.int64], piece: NDArray[np.int64]
+    edges: Sequence[tuple[Edge, Sequence[float]]], points: Floats, row: NDArray[np.int64], piece: NDArray[np.int64]
 ) -> Floats:
     """Return the kernel's distance of each point to the nearest of its pieces.
 
     Parameters
     ----------
     edges : sequence of (edge, breaks)
-        All edges in order, each with the (k + 1,) parameters ``u`` at the ends of its k pieces. Pieces are numbered
+        All edges in order, each with the k + 1 parameters ``u`` at the ends of its k pieces. Pieces are numbered
         through.
     points : (m, 2) array
         mm.
@@ -48,39 +50,35 @@ def clearances(
         is too large; never too small.
     """
     pieces = [made for edge, breaks in edges for made in _pieces(edge, breaks)]
-    nearest = [inf] * len(points)
+    ends = np.array([both for *_, both in pieces])[piece]
+    found = np.hypot(*np.moveaxis(ends - points[row][:, None], 2, 0)).min(axis=1).tolist()
     place, at, coordinates = gp_Pnt2d(), -1, points.tolist()
-    x = y = 0.0
-    for number, index in zip(row.tolist(), piece.tolist(), strict=True):
+    for pair, (number, index) in enumerate(zip(row.tolist(), piece.tolist(), strict=True)):
         if number != at:
-            at, (x, y) = number, coordinates[number]
-            place.SetCoord(x, y)
-        extrema, adaptor, (ax, ay), (bx, by) = pieces[index]
-        known = min(nearest[at], hypot(ax - x, ay - y), hypot(bx - x, by - y))
+            at = number
+            place.SetCoord(*coordinates[at])
+        extrema, _, low, high, _ = pieces[index]
         extrema.Perform(place)
         # At the centre of a circle all points are stationary, and the kernel reports that as a failure.
         if extrema.IsDone():
             for k in range(1, extrema.NbExt() + 1):
-                found = sqrt(extrema.SquareDistance(k))
-                if found < known and _is_inside(adaptor, extrema.Point(k).Parameter()):
-                    known = found
-        nearest[at] = known
-    return np.array(nearest)
+                apart = sqrt(extrema.SquareDistance(k))
+                # The kernel takes lines and arcs for 1e-7 longer than they are.
+                if apart < found[pair] and low <= extrema.Point(k).Parameter() <= high:
+                    found[pair] = apart
+    nearest = np.full(len(points), np.inf)
+    np.minimum.at(nearest, row, found)
+    return nearest
 
 
-def _is_inside(adaptor: Geom2dAdaptor_Curve, parameter: float) -> bool:
-    """Whether a parameter lies on its piece: the kernel takes lines and arcs for 1e-7 longer than they are."""
-    return bool(adaptor.FirstParameter() <= parameter <= adaptor.LastParameter())
-
-
-def _pieces(edge: Edge, breaks: Floats) -> list[_Piece]:
+def _pieces(edge: Edge, breaks: Sequence[float]) -> list[_Piece]:
     """Make an edge's pieces as the kernel's curves with their end points."""
     # The kernel's search is better on Bezier curves: exact to rounding on those of a nearly round ellipse, and far less
     # apt to overlook something than on ranges of a B-spline.
     match edge:
         case Line() | Arc():
             twin = Twin.of(edge)
-            return [_piece(twin.adaptor(low, high)) for low, high in pairwise(breaks.tolist())]
+            return [_piece(twin.adaptor(low, high)) for low, high in pairwise(breaks)]
         case BSpline() if len(breaks) == 2:
             return [_piece(Geom2dAdaptor_Curve(bezier(edge.poles, edge.weights)))]
         case BSpline():
@@ -96,4 +94,4 @@ def _piece(adaptor: Geom2dAdaptor_Curve) -> _Piece:
     extrema = Extrema_ExtPC2d()
     extrema.Initialize(adaptor, first, last, _TOLERANCE)
     start, end = adaptor.Value(first), adaptor.Value(last)
-    return extrema, adaptor, (start.X(), start.Y()), (end.X(), end.Y())  # the extrema only point to the adaptor
+    return extrema, adaptor, first, last, ((start.X(), start.Y()), (end.X(), end.Y()))

@@ -6,6 +6,7 @@ own parameter (length on lines, angle on arcs, knot parameter on B-splines); all
 """
 
 from dataclasses import dataclass
+from math import hypot
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -112,25 +113,19 @@ class KernelCurve:
             return cross / np.hypot(first[:, 0], first[:, 1]) ** 3
 
 
-def _point(xy: ArrayLike) -> gp_Pnt2d:
-    x, y = np.asarray(xy, float).tolist()
-    return gp_Pnt2d(x, y)
-
-
-def _direction(xy: ArrayLike) -> gp_Dir2d:
-    x, y = np.asarray(xy, float).tolist()
+def _direction(x: float, y: float) -> gp_Dir2d:
     if x == y == 0:
         raise ValueError("an edge without length has no kernel curve")
     return gp_Dir2d(x, y)
 
 
-def _axes(centre: ArrayLike, axis_a: ArrayLike, axis_b: ArrayLike) -> gp_Ax22d:
-    return gp_Ax22d(_point(centre), _direction(axis_a), _direction(axis_b))
+def _axes(centre: Floats, axis_a: Floats, axis_b: Floats) -> gp_Ax22d:
+    return gp_Ax22d(gp_Pnt2d(*centre.tolist()), _direction(*axis_a.tolist()), _direction(*axis_b.tolist()))
 
 
 def _line(edge: Line) -> Twin:
-    chord = edge.last - edge.first
-    return Twin(Geom2d_Line(_point(edge.first), _direction(chord)), 0.0, float(np.hypot(*chord)))
+    (ax, ay), (bx, by) = edge.first.tolist(), edge.last.tolist()
+    return Twin(Geom2d_Line(gp_Pnt2d(ax, ay), _direction(bx - ax, by - ay)), 0.0, hypot(bx - ax, by - ay))
 
 
 def _ellipse(edge: EllipseArc) -> Twin:

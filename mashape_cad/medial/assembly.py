@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.geometry.profile import Profile
 from mashape_cad.kernel import DistanceQuery, clearances
-from mashape_cad.medial.compiled import compiled
+from mashape_cad.medial.compiled import Records, compiled
 from mashape_cad.medial.emptiness import spans_near
 from mashape_cad.medial.faces import CONTACTS, DISCS, Faces
 from mashape_cad.medial.faces import stretch as gap_stretch
@@ -51,7 +51,7 @@ def single_disc(profile: Profile, tour: Tour, frame: Frame, faces: Faces) -> Med
 def foot(tour: Tour, place: tuple[int, float]) -> tuple[int, float]:
     """Return a place as the number of an edge of the profile and its parameter."""
     e, t = place
-    return int(tour.element[e].edge), float(_edge_parameter(tour, e, t))
+    return int(tour.edge[e]), float(_edge_parameter(tour, e, t))
 
 
 @compiled
@@ -98,11 +98,13 @@ def _pieces(tour: Tour, faces: Faces) -> tuple[Ints, Floats, Floats, Ints, Ints,
 
 def _contacts(faces: Faces, piece_of: Ints, side_of: Ints) -> Contacts:
     n = int(faces.used[CONTACTS])
-    order = np.lexsort((faces.contact[:n].first_t, faces.contact[:n].first_e))
+    contact = faces.contact[:n]
+    order = np.lexsort((contact["first_t"], contact["first_e"]))
+    contact = contact[order]
     return Contacts(
-        np.column_stack([faces.contact[order].first_e.astype(float), faces.contact[order].first_t]),
-        np.column_stack([faces.contact[order].last_e.astype(float), faces.contact[order].last_t]),
-        faces.contact[order].disc,
+        np.column_stack([contact["first_e"], contact["first_t"]]),
+        np.column_stack([contact["last_e"], contact["last_t"]]),
+        contact["disc"],
         piece_of[order],
         side_of[order],
     )
@@ -167,32 +169,32 @@ def _chains(ends: Ints, node_discs: Ints) -> tuple[Ints, Ints, Ints, NDArray[np.
 def _discs(profile: Profile, tour: Tour, frame: Frame, faces: Faces, contacts: Contacts, degree: Ints) -> Discs:
     """Scale discs back to mm and have the kernel measure each."""
     n = int(faces.used[DISCS])
-    x, y, r = faces.settled[:n].x, faces.settled[:n].y, faces.settled[:n].r
-    centre = np.column_stack([x, y]) * frame.size + frame.middle
+    settled = faces.settled[:n]
+    centre = np.column_stack([settled["x"], settled["y"]]) * frame.size + frame.middle
     feet, foot_edge, foot_u = _feet(tour, contacts.first, contacts.last, contacts.disc, n)
     return Discs(
         centre,
-        r * frame.size,
+        settled["r"] * frame.size,
         degree,
         feet * frame.size + frame.middle,
         foot_edge,
         foot_u,
-        faces.settled[:n].tol * frame.size,
-        _clearance(profile, tour, frame, faces, centre),
+        settled["tol"] * frame.size,
+        _clearance(profile, tour, frame, settled, centre),
     )
 
 
-def _clearance(profile: Profile, tour: Tour, frame: Frame, faces: Faces, centre: Floats) -> Floats:
+def _clearance(profile: Profile, tour: Tour, frame: Frame, settled: Records, centre: Floats) -> Floats:
     """Return the kernel's distance from each centre to the boundary, mm."""
-    n = int(faces.used[DISCS])
-    row, element = spans_near(tour, faces.settled[:n], _NEAR)
+    row, element = spans_near(tour, settled, _NEAR)
     spans = np.flatnonzero(tour.degree > 0)
     piece = np.zeros(len(tour.element), dtype=np.int64)
     piece[spans] = np.arange(len(spans))
-    breaks = np.split(tour.element[spans].edge_to, np.flatnonzero(np.diff(tour.element[spans].edge)) + 1)
-    edges = [(edge, np.append(0.0, ends)) for edge, ends in zip(profile.edges, breaks, strict=True)]
-    found = clearances(edges, centre, row, piece[element])
-    doubtful = np.flatnonzero(found > (faces.settled[:n].r + faces.settled[:n].tol + _NEAR) * frame.size)
+    breaks: list[list[float]] = [[0.0] for _ in profile.edges]
+    for edge, to in zip(tour.edge[spans].tolist(), tour.edge_to[spans].tolist(), strict=True):
+        breaks[edge].append(to)
+    found = clearances(list(zip(profile.edges, breaks, strict=True)), centre, row, piece[element])
+    doubtful = np.flatnonzero(found > (settled["r"] + settled["tol"] + _NEAR) * frame.size)
     if len(doubtful):
         found[doubtful] = DistanceQuery(profile).distances(centre[doubtful])
     return found

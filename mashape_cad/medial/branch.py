@@ -157,8 +157,8 @@ def contact_before(axis: MedialAxis, element: Ints, t: Floats) -> tuple[Ints, ND
     """
     contacts, tour = axis.contacts, axis.tour
     first, last = contacts.first.sum(axis=1), contacts.last.sum(axis=1)
-    loop_of_contact = tour.element[contacts.first[:, 0].astype(np.int64)].loop
-    here, loop = element + t, tour.element[element].loop
+    loop_of_contact = tour.loop[contacts.first[:, 0].astype(np.int64)]
+    here, loop = element + t, tour.loop[element]
     contact = np.searchsorted(first, here + _ON_CONTACT, side="right") - 1
     # Before the first contact of a loop stands, going round, its last one.
     last_of_loop = np.searchsorted(loop_of_contact, loop, side="right") - 1

@@ -80,12 +80,12 @@ def candidates(tour: Tour, touched: NDArray[np.bool_]) -> Iterator[Candidate]:
         x, y, *_ = site(tour, e, 0.0)
         yield Candidate("convex vertex", (e, 0.0), x, y, 0.0)
     for run in _arcs(tour):
-        (x, y), r = tour.round_centre[run].mean(axis=0).tolist(), float(tour.element[run].round_radius.mean())
+        (x, y), r = tour.round_centre[run].mean(axis=0).tolist(), float(tour.round_radius[run].mean())
         yield Candidate("arc", (run[0], 0.0), x, y, r)
     for e, t in zip(*(array.tolist() for array in curvature_candidates(tour, touched)), strict=True):
         x, y, nx, ny, curvature, _ = site(tour, e, t)
         if t == 0.0:
-            left = site(tour, int(tour.element[e].before), 1.0)
+            left = site(tour, int(tour.before[e]), 1.0)
             if left[4] > curvature:
                 x, y, nx, ny, curvature, _ = left
         if curvature > _STRAIGHT:
@@ -101,18 +101,18 @@ def touched_arcs(axis: MedialAxis) -> NDArray[np.bool_]:
         # A contact that begins inside an element is that of an osculating disc which reaches a border.
         while first != last and first[1] == 0.0 and e != int(last[0]) and not touched[e]:
             touched[e] = True
-            e = int(axis.tour.element[e].after)
+            e = int(axis.tour.after[e])
     return touched
 
 
 def _arcs(tour: Tour) -> Iterator[list[int]]:
     """Yield the longest runs of neighbouring spans on one inward circle; one all round a loop has any start."""
-    joined = [_is_joined(tour, int(tour.element[e].before), e) for e in range(len(tour.element))]
+    joined = [_is_joined(tour, int(tour.before[e]), e) for e in range(len(tour.element))]
     seen: set[int] = set()
     for first in sorted(np.flatnonzero(~np.isnan(tour.round_radius)).tolist(), key=lambda e: joined[e]):
         if first not in seen:
             run = [first]
-            while joined[after := int(tour.element[run[-1]].after)] and after not in {first, *seen}:
+            while joined[after := int(tour.after[run[-1]])] and after not in {first, *seen}:
                 run.append(after)
             seen.update(run)
             yield run
@@ -120,11 +120,11 @@ def _arcs(tour: Tour) -> Iterator[list[int]]:
 
 def _is_joined(tour: Tour, before: int, e: int) -> bool:
     """Whether a span goes on with the circle of the one before it."""
-    if tour.element[e].convex or np.isnan(tour.element[[before, e]].round_radius).any():
+    if tour.convex[e] or np.isnan(tour.round_radius[[before, e]]).any():
         return False
     off = np.append(
         tour.round_centre[before] - tour.round_centre[e],
-        tour.element[before].round_radius - tour.element[e].round_radius,
+        tour.round_radius[before] - tour.round_radius[e],
     )
     return bool(np.abs(off).max() <= _SAME_CIRCLE)
 
@@ -199,7 +199,7 @@ def _touches(axis: MedialAxis, contact: int, candidate: Candidate) -> bool:
     """Whether a contact is at a candidate's place."""
     contacts, tour = axis.contacts, axis.tour
     (e, t), (f, s) = contacts.first[contact].tolist(), contacts.last[contact].tolist()
-    same_loop = tour.element[int(e)].loop == tour.element[candidate.place[0]].loop
+    same_loop = tour.loop[int(e)] == tour.loop[candidate.place[0]]
     if same_loop and (e, t) != (f, s) and _within(candidate.place, (int(e), t), (int(f), s)):
         return True
     x, y, *_ = site(tour, *candidate.place)

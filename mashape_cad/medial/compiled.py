@@ -7,11 +7,15 @@ programs load the result from a cache beside the source, or in the user's cache 
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TypeVar, cast
+from typing import Any, TypeVar, cast
 
+import numpy as np
 from numba import config, njit
 
-__all__ = ["compiled"]
+__all__ = ["Records", "compiled", "records"]
+
+# Rows with named fields; numpy has no types for these.
+Records = Any
 
 Function = TypeVar("Function", bound=Callable[..., object])
 
@@ -34,3 +38,11 @@ def compiled(function: Function) -> Function:
     # would keep old code when another module changes. So it is told to look at all of them.
     dispatcher._cache._cache_file._source_stamp = _SOURCES  # type: ignore[attr-defined]  # noqa: SLF001
     return cast("Function", dispatcher)
+
+
+def records(rows: Records) -> Records:
+    """Return rows with fields as compiled code takes them: ``rows[k].field``.
+
+    So they are read in interpreted code only off a record array, which costs Python fifty times as much to look at.
+    """
+    return rows.view(np.recarray) if config.DISABLE_JIT else rows  # type: ignore[attr-defined]

@@ -161,18 +161,19 @@ def _off_branch(axis: MedialAxis, ends: Ints, disc: Floats) -> float:
     """Distance of a disc, (3,), from the pieces that end at some settled discs, mm.
 
     Near an osculating end, discs of neighbouring places hardly differ, and which of them touches a place is known to
-    the root of the rounding only, and whether it is the end's: the disc is on the branch all the same.
+    the root of the rounding only, and whether it is the end's: the disc is on the branch all the same. One of the sides
+    may start a little further on, where the end's contact was taken for an arc.
     """
-    beside = np.flatnonzero(np.isin(axis.pieces.disc, ends).any(axis=1))
-    return min((_off_piece(axis, int(number), disc) for number in beside), default=np.inf)
+    beside = np.flatnonzero(np.isin(axis.pieces.disc, ends).any(axis=1)).tolist()
+    return min((_off_piece(axis, number, side, disc) for number in beside for side in (0, 1)), default=np.inf)
 
 
-def _off_piece(axis: MedialAxis, piece: int, disc: Floats) -> float:
-    low, high = axis.pieces.low[piece, 0], axis.pieces.high[piece, 0]
+def _off_piece(axis: MedialAxis, piece: int, side: int, disc: Floats) -> float:
+    low, high = axis.pieces.low[piece, side], axis.pieces.high[piece, side]
     best = np.inf
     for _ in range(_REFINED):
         t = np.linspace(low, high, _ALONG)
-        rows = discs_on_piece(axis, piece, t)[:, :3] * axis.frame.size
+        rows = discs_on_piece(axis, piece, t, side)[:, :3] * axis.frame.size
         rows[:, :2] += axis.frame.middle
         off = np.abs(rows - disc).max(axis=1)
         k = int(np.argmin(off))

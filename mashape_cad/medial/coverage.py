@@ -87,7 +87,7 @@ def _overlap_at_kinks(axis: MedialAxis) -> Floats:
 def _objections(axis: MedialAxis, whole: float, area: float, excess: Floats, uncertain: Floats) -> Iterator[Objection]:
     pieces = axis.pieces
     for piece in np.flatnonzero(~(np.abs(excess) <= _AREA * whole + uncertain)):
-        sides = " and ".join(str(axis.tour.element[e].edge) for e in pieces.element[piece])
+        sides = " and ".join(str(axis.tour.edge[e]) for e in pieces.element[piece])
         text = f"the discs of piece {piece}, between edges {sides}, cover {excess[piece]:+.2g} mm2 beyond its region"
         yield Objection.at("area", text, axis.discs.centre[pieces.disc[piece]].mean(axis=0))
     if not abs(area - whole) <= _AREA * whole + uncertain.sum():

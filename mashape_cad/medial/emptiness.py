@@ -12,9 +12,9 @@ import numpy as np
 
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.bezier import evaluate, halve, power_distance
-from mashape_cad.medial.compiled import compiled
+from mashape_cad.medial.compiled import Records, compiled
 from mashape_cad.medial.contact import same_foot
-from mashape_cad.medial.tour import Ints, Records, Tour
+from mashape_cad.medial.tour import Ints, Tour
 
 __all__ = [
     "EMPTY",

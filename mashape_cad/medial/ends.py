@@ -36,7 +36,7 @@ from mashape_cad.medial.faces import (
     on_contact,
     settled_discs,
 )
-from mashape_cad.medial.tour import ROUND, Ints, Tour, site
+from mashape_cad.medial.tour import ROUND, Ints, Tour, chord_squared, site
 
 __all__ = ["curvature_candidates", "ends", "falling_roots", "settle_ends"]
 
@@ -192,20 +192,24 @@ def _starts_run(tour: Tour, joined: NDArray[np.bool_], e: int) -> bool:
 
 @compiled
 def _run(tour: Tour, joined: NDArray[np.bool_], first: int) -> tuple[float, float, float, int, bool]:
-    """Return mean centre and radius of a run of arcs, its last element, and whether it goes all round."""
-    x = y = r = 0.0
-    count, last = 0, first
+    """Return mean centre and radius of a run of arcs, its last element, and whether it goes all round.
+
+    A short arc knows its centre less well than a long one, by the square of its length, and has as much less to say.
+    """
+    x = y = r = total = 0.0
+    last = first
     while True:
         if not math.isnan(tour.element[last].round_radius):
-            x += tour.element[last].round_x
-            y += tour.element[last].round_y
-            r += tour.element[last].round_radius
-            count += 1
+            weight = chord_squared(tour, last)
+            x += weight * tour.element[last].round_x
+            y += weight * tour.element[last].round_y
+            r += weight * tour.element[last].round_radius
+            total += weight
         after = tour.element[last].after
         if after == first or not joined[after]:
             break
         last = after
-    return x / count, y / count, r / count, last, tour.element[last].after == first and joined[first]
+    return x / total, y / total, r / total, last, tour.element[last].after == first and joined[first]
 
 
 @compiled

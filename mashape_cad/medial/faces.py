@@ -22,14 +22,14 @@ decomposition lemma.
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
 from mashape_cad.geometry.edge import Floats
-from mashape_cad.medial.compiled import compiled
+from mashape_cad.medial.compiled import Records, compiled, records
 from mashape_cad.medial.contact import TOUCH
-from mashape_cad.medial.tour import Ints, Records, Tour, loop_count, site
+from mashape_cad.medial.tour import Ints, Tour, loop_count, site
 
 __all__ = [
     "ARC",
@@ -150,21 +150,24 @@ def settled_discs(faces: Faces) -> list[SettledDisc]:
     """Return the discs of `faces` with their contacts."""
     settled = faces.settled[: int(faces.used[DISCS])]
     contacts: list[list[Contact]] = [[] for _ in settled]
-    for row in faces.contact[: int(faces.used[CONTACTS])]:
-        first, last = (int(row.first_e), float(row.first_t)), (int(row.last_e), float(row.last_t))
-        contacts[int(row.disc)].append((first, last))
+    for row in _rows(faces.contact[: int(faces.used[CONTACTS])]):
+        contacts[row["disc"]].append(((row["first_e"], row["first_t"]), (row["last_e"], row["last_t"])))
     return [
-        SettledDisc(float(d.x), float(d.y), float(d.r), tuple(touched), _KINDS[int(d.kind)], float(d.tol))
-        for d, touched in zip(settled, contacts, strict=True)
+        SettledDisc(d["x"], d["y"], d["r"], tuple(touched), _KINDS[d["kind"]], d["tol"])
+        for d, touched in zip(_rows(settled), contacts, strict=True)
     ]
+
+
+def _rows(rows: Records) -> list[dict[str, Any]]:
+    return [dict(zip(rows.dtype.names, row, strict=True)) for row in rows.tolist()]
 
 
 def blank_faces(tour: Tour) -> Faces:
     """Return the domain before any cut."""
     n = len(tour.element)
     discs = _DISCS_PER_ELEMENT * n + _DISCS_AT_LEAST
-    contact, settled = np.zeros(3 * discs, CONTACT).view(np.recarray), np.empty(discs, SETTLED).view(np.recarray)
-    return Faces(np.zeros(3, np.int64), contact, settled, np.full(n, -1))
+    contact, settled = np.zeros(3 * discs, CONTACT), np.empty(discs, SETTLED)
+    return Faces(np.zeros(3, np.int64), records(contact), records(settled), np.full(n, -1))
 
 
 @compiled

@@ -39,7 +39,7 @@ def inner_disc_objections(axis: MedialAxis) -> Iterator[Objection]:
     names = ("is entered by the boundary by", "misses its two stretches by")
     for error, name in zip(found[:, 2:].T, names, strict=True):
         for piece in np.flatnonzero(~(error <= tol)):
-            sides = " and ".join(str(axis.tour.element[e].edge) for e in pieces.element[piece])
+            sides = " and ".join(str(axis.tour.edge[e]) for e in pieces.element[piece])
             text = f"the disc inside piece {piece}, between edges {sides}, {name} {error[piece] * size:.2g} mm"
             yield Objection.at("piece", text, axis.discs.centre[pieces.disc[piece]].mean(axis=0))
 

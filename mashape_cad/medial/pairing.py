@@ -70,7 +70,7 @@ def pairing_objections(axis: MedialAxis) -> Iterator[Objection]:
 
 def next_contacts(tour: Tour, contacts: Contacts) -> Ints:
     """Return the contact that follows each one on its loop, (c,)."""
-    loop = tour.element[contacts.first[:, 0].astype(np.int64)].loop
+    loop = tour.loop[contacts.first[:, 0].astype(np.int64)]
     after = np.arange(1, len(loop) + 1)
     last = np.flatnonzero(np.append(loop[1:] != loop[:-1], [True]))
     after[last] = np.append(0, last[:-1] + 1)
@@ -141,7 +141,7 @@ def _of_gaps(axis: MedialAxis, wrong: NDArray[np.bool_], text: str) -> Iterator[
 def _ends_of_gaps(tour: Tour, contacts: Contacts, after: Ints) -> Floats:
     """Place at which each gap ends, on the element where it starts if it reaches that element's end: (c, 2)."""
     end = contacts.first[after].copy()
-    at_border = (end[:, 1] == 0.0) & (tour.element[contacts.last[:, 0].astype(np.int64)].after == end[:, 0])
+    at_border = (end[:, 1] == 0.0) & (tour.after[contacts.last[:, 0].astype(np.int64)] == end[:, 0])
     end[at_border] = np.column_stack([contacts.last[at_border, 0], np.ones(at_border.sum())])
     return end
 
@@ -149,7 +149,7 @@ def _ends_of_gaps(tour: Tour, contacts: Contacts, after: Ints) -> Floats:
 def _tiling_objections(axis: MedialAxis, low: Floats, high: Floats) -> Iterator[Objection]:
     """Gaps and arcs together go round every loop once."""
     contacts, tour = axis.contacts, axis.tour
-    loop = tour.element[contacts.first[:, 0].astype(np.int64)].loop
+    loop = tour.loop[contacts.first[:, 0].astype(np.int64)]
     count = np.bincount(tour.loop)
     arcs = contacts.last.sum(axis=1) - contacts.first.sum(axis=1)
     arcs = np.where(arcs < 0, arcs + count[loop], arcs)

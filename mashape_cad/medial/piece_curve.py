@@ -73,11 +73,11 @@ class PieceCurve:
     def feet(self, side: int, t: Floats) -> Feet:
         """Feet on the exact edge of a side."""
         tour, element = self.axis.tour, int(self.axis.pieces.element[self.number, side])
-        number = int(tour.element[element].edge)
+        number = int(tour.edge[element])
         edge = self.edges[number]
-        start, end = float(tour.element[element].edge_from), float(tour.element[element].edge_to)
-        if tour.element[element].degree == 0:
-            angle = tour.element[element].cone_angle + t * tour.element[element].cone_turn
+        start, end = float(tour.edge_from[element]), float(tour.edge_to[element])
+        if tour.degree[element] == 0:
+            angle = tour.element["cone_angle"][element] + t * tour.element["cone_turn"][element]
             u = np.full(len(t), start)
             normal = np.column_stack([np.cos(angle), np.sin(angle)])
             return Feet(edge.point(u), number, u, normal, np.full(len(t), -np.inf))

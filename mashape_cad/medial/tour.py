@@ -16,7 +16,7 @@ boundary bends inwards.
 """
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,12 +25,11 @@ from mashape_cad.errors import InvalidProfileError
 from mashape_cad.geometry.edge import EllipseArc, Floats
 from mashape_cad.geometry.profile import Profile
 from mashape_cad.medial.bezier import evaluate, halve, power_distance
-from mashape_cad.medial.compiled import compiled
+from mashape_cad.medial.compiled import Records, compiled, records
 
-__all__ = ["ROUND", "Frame", "Ints", "Records", "Tour", "loop_count", "site", "tour"]
+__all__ = ["ROUND", "Frame", "Ints", "Tour", "chord_squared", "loop_count", "site", "tour"]
 
 Ints = NDArray[np.int64]
-Records = Any  # record arrays of numpy, which has no types for their fields
 
 # Tangents that differ by less (radians) join smoothly: the disc that touches at such a kink is entered by no more than
 # r * kink^2 / 2, which is below `EMPTY`. A wider convex kink is a vertex with a branch of its own, however thin.
@@ -44,6 +43,8 @@ _CUSP = 1e-7
 # and the curvature of such a span has maxima that are noise. Recorded as the tolerance of the disc that fills the
 # circle.
 ROUND = 1e-9
+# As near as rounding lets an arc come to its circle (sizes).
+_TO_ROUNDING = 1e-14
 # A circle of more than this radius (sizes) is as good as a straight line: its centre would be noise.
 _FLAT = 1e4
 # Spacing of numbers at a profile's place, in its sizes, beyond which its shape is lost in rounding.
@@ -247,10 +248,10 @@ def tour(profile: Profile) -> tuple[Tour, Frame]:
 
 
 def _blank(elements: int, samples: int, rows: int) -> Tour:
-    element = np.zeros(elements, ELEMENT).view(np.recarray)
+    element = np.zeros(elements, ELEMENT)
     for name in ("cone_angle", "cone_turn", "round_x", "round_y", "round_radius"):
         element[name] = np.nan
-    return Tour(np.zeros((elements, rows, 3)), element, np.empty((samples, 3)))
+    return Tour(np.zeros((elements, rows, 3)), records(element), np.empty((samples, 3)))
 
 
 @compiled
@@ -264,22 +265,21 @@ def _spans(profile: Profile) -> _Spans:
     pieces = [(loop, edge, *edge.spans()) for loop, part in enumerate(profile.loops) for edge in part.edges]
     counts = [len(control) for _, _, control, _ in pieces]
     total, widest = sum(counts), max(control.shape[1] for _, _, control, _ in pieces)
+    low = np.concatenate([breaks[:-1] for *_, breaks in pieces])
+    high = np.concatenate([breaks[1:] for *_, breaks in pieces])
+    sweeps = np.repeat([edge.sweep if isinstance(edge, EllipseArc) else 0.0 for _, edge, _, _ in pieces], counts)
     spans = _Spans(
         np.zeros((total, max(widest, 2), 3)),
         np.repeat([control.shape[1] - 1 for _, _, control, _ in pieces], counts),
         np.repeat([loop for loop, _, _, _ in pieces], counts),
         np.repeat(np.arange(len(pieces)), counts),
-        np.empty(total),
-        np.empty(total),
-        np.zeros(total),
+        low,
+        high,
+        (high - low) * sweeps,
     )
     at = 0
-    for _, edge, control, breaks in pieces:
-        rows = slice(at, at + len(control))
-        spans.control[rows, : control.shape[1]] = control
-        spans.edge_from[rows], spans.edge_to[rows] = breaks[:-1], breaks[1:]
-        if isinstance(edge, EllipseArc):
-            spans.angle[rows] = (breaks[1:] - breaks[:-1]) * edge.sweep
+    for _, _, control, _ in pieces:
+        spans.control[at : at + len(control), : control.shape[1]] = control
         at += len(control)
     return spans
 
@@ -467,6 +467,7 @@ def _lay_out(spans: _Spans, out: Tour) -> None:
         out.element[at].convex = turn > _SMOOTH
         at += 1
     _tie_loops(out)
+    _share_circles(out)
     _fill_samples(out)
 
 
@@ -495,6 +496,33 @@ def _tie_loops(out: Tour) -> None:
         is_last = e == n - 1 or out.element[e + 1].loop != out.element[e].loop
         after = first if is_last else e + 1
         out.element[e].after, out.element[after].before = after, e
+
+
+@compiled
+def _share_circles(out: Tour) -> None:
+    """Give spans the circle of a longer neighbour, which knows it better, where they follow that to rounding."""
+    for e in range(len(out.element)):
+        _share_circle(out, out.element[e].before, e)
+    for e in range(len(out.element) - 1, -1, -1):
+        _share_circle(out, out.element[e].after, e)
+
+
+@compiled
+def _share_circle(out: Tour, giver: int, e: int) -> None:
+    row, other = out.element[e], out.element[giver]
+    x, y, r = other.round_x, other.round_y, other.round_radius
+    if math.isnan(r) or row.degree < 2 or chord_squared(out, giver) < chord_squared(out, e):
+        return
+    if _follows(out.control[e], row.degree, x, y, r, _TO_ROUNDING):
+        row.round_x, row.round_y, row.round_radius = x, y, r
+
+
+@compiled
+def chord_squared(tour: Tour, e: int) -> float:
+    """Square of the distance between the ends of a span."""
+    ax, ay, _, _, _, _ = site(tour, e, 0.0)
+    bx, by, _, _, _, _ = site(tour, e, 1.0)
+    return (bx - ax) ** 2 + (by - ay) ** 2
 
 
 @compiled
@@ -532,11 +560,16 @@ def _circle(control: Floats, degree: int) -> tuple[float, float, float]:
         return math.nan, math.nan, math.nan
     x, y = px + (vy * u_sq - uy * v_sq) / (2 * cross), py + (ux * v_sq - vx * u_sq) / (2 * cross)
     r = math.hypot(px - x, py - y)
-    near = ROUND * min(1.0, 4 * u_sq / (r * r))
+    if not _follows(control, degree, x, y, r, ROUND * min(1.0, 4 * u_sq / (r * r))):
+        return math.nan, math.nan, math.nan
+    return x, y, r
+
+
+@compiled
+def _follows(control: Floats, degree: int, x: float, y: float, r: float, near: float) -> bool:
+    """Whether a span is nowhere further than `near` from a circle."""
     heaviest = 0.0
     for i in range(degree + 1):
         heaviest = max(heaviest, control[i, 2])
-    for power in power_distance(control, degree, x, y, r):
-        if abs(power) > 2 * r * near * heaviest * heaviest:
-            return math.nan, math.nan, math.nan
-    return x, y, r
+    limit = 2 * r * near * heaviest * heaviest
+    return bool(np.abs(power_distance(control, degree, x, y, r)).max() <= limit)

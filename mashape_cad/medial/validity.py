@@ -55,12 +55,11 @@ def check_simple(tour: Tour, frame: Frame) -> None:
         x, y = _in_mm(frame, *place)
         text = f"the outline crosses or touches itself at ({x:.6g}, {y:.6g}); mend it in the drawing"
         raise InvalidProfileError("crossing", text, (x, y))
-    for loop in range(loop_count(tour)):
-        e = int(np.argmax((tour.loop == loop) & (tour.degree > 0)))
-        x, y = _in_mm(frame, *site(tour, e, 0.0)[:2])
-        if (_signed_area(tour, loop) > 0.0) != (loop == 0):
-            text = f"the loop at ({x:.6g}, {y:.6g}) runs the wrong way round; make the profile by Profile.of"
-            raise InvalidProfileError("degenerate", text, (x, y))
+    wrong, x, y = _wrong_way_round(tour)
+    if wrong:
+        x, y = _in_mm(frame, x, y)
+        text = f"the loop at ({x:.6g}, {y:.6g}) runs the wrong way round; make the profile by Profile.of"
+        raise InvalidProfileError("degenerate", text, (x, y))
     misplaced, in_other = _misplaced_hole(tour)
     if misplaced > 0:
         e = int(np.argmax(tour.loop == misplaced))
@@ -74,16 +73,22 @@ def _in_mm(frame: Frame, x: float, y: float) -> tuple[float, float]:
 
 
 @compiled
-def _signed_area(tour: Tour, loop: int) -> float:
-    """Area that a loop encloses, by Gauss quadrature on each span; positive if it runs counter-clockwise."""
-    area = 0.0
+def _wrong_way_round(tour: Tour) -> tuple[bool, float, float]:
+    """Find a loop that does not have the domain on its left: whether there is one, and a point on it.
+
+    By the area that each encloses (Gauss quadrature on each span), positive if it runs counter-clockwise.
+    """
+    area = np.zeros(loop_count(tour))
     for e in range(len(tour.element)):
-        if tour.element[e].loop != loop or tour.element[e].degree == 0:
-            continue
-        for k in range(len(_NODES)):
-            x, y, dx, dy, _, _ = evaluate(tour.control[e], tour.element[e].degree, _NODES[k])
-            area += _WEIGHTS[k] * (x * dy - y * dx) / 2
-    return area
+        if tour.element[e].degree > 0:
+            for k in range(len(_NODES)):
+                x, y, dx, dy, _, _ = evaluate(tour.control[e], tour.element[e].degree, _NODES[k])
+                area[tour.element[e].loop] += _WEIGHTS[k] * (x * dy - y * dx) / 2
+    for e in range(len(tour.element)):
+        loop = tour.element[e].loop
+        if (area[loop] > 0.0) != (loop == 0):
+            return True, tour.control[e, 0, 0] / tour.control[e, 0, 2], tour.control[e, 0, 1] / tour.control[e, 0, 2]
+    return False, 0.0, 0.0
 
 
 @compiled
@@ -165,7 +170,7 @@ def _standstill(tour: Tour) -> tuple[bool, float, float]:
 
 def first_contact(tour: Tour) -> tuple[float, float] | None:
     """Return a place where two spans meet, or one meets itself, though they should not; None if there is none."""
-    found, x, y = _first_contact(tour, np.argsort(tour.element[:].x0))
+    found, x, y = _first_contact(tour, np.argsort(tour.element["x0"]))
     return (x, y) if found else None
 
 

@@ -40,7 +40,7 @@ def test_a_vertex_that_the_tour_does_not_call_convex_is_a_candidate_all_the_same
     """Its tangents say so."""
     axis = axis_of("rectangle")
     element = axis.tour.element.copy()
-    element.convex[2] = False
+    element["convex"][2] = False
     found = candidates(axis.tour._replace(element=element), touched_arcs(axis))
     assert sum(candidate.kind == "convex vertex" for candidate in found) == 4
 

@@ -66,18 +66,18 @@ def test_gaps_lie_one_after_another_round_every_loop(name):
     count = len(gaps_of(faces))
     gaps = [gap for face in all_faces(faces) for gap in face]
     assert sorted(gaps) == list(range(count))
-    assert sorted(faces.contact[:count].after) == list(range(count))
-    assert sorted(faces.contact[:count].clockwise) == list(range(count))
-    assert all(faces.contact[faces.contact[gap].clockwise].disc == faces.contact[gap].disc for gap in gaps)
+    assert sorted(faces.contact[:count]["after"]) == list(range(count))
+    assert sorted(faces.contact[:count]["clockwise"]) == list(range(count))
+    assert all(faces.contact[faces.contact[gap]["clockwise"]]["disc"] == faces.contact[gap]["disc"] for gap in gaps)
     for loop in range(int(laid_out.loop.max()) + 1):
-        mine = [c for c in gaps if laid_out.loop[faces.contact[c].first_e] == loop]
+        mine = [c for c in gaps if laid_out.loop[faces.contact[c]["first_e"]] == loop]
         at, seen = mine[0], []
         while at not in seen:
             seen.append(at)
-            at = int(faces.contact[at].after)
+            at = int(faces.contact[at]["after"])
         assert sorted(seen) == sorted(mine)
         # In the order of their places, once round.
-        places = [(faces.contact[c].first_e, faces.contact[c].first_t) for c in seen]
+        places = [(faces.contact[c]["first_e"], faces.contact[c]["first_t"]) for c in seen]
         lowest = places.index(min(places))
         assert places[lowest:] + places[:lowest] == sorted(places)
 

@@ -139,7 +139,7 @@ def test_every_place_is_on_a_contact_or_in_the_gap_behind_the_last_one(name):
     laid_out, _ = tour(profile_of(name))
     faces, _ = faces_of_ends_and_links(laid_out)
     for e in range(len(laid_out.degree)):
-        mine = [gap for gap in gaps_of(faces) if laid_out.loop[faces.contact[gap].first_e] == laid_out.loop[e]]
+        mine = [gap for gap in gaps_of(faces) if laid_out.loop[faces.contact[gap]["first_e"]] == laid_out.loop[e]]
         ordered = sorted(mine, key=lambda gap: contact_of(faces, gap)[0])
         for t in (0.0, 1e-3, 0.3, 0.5, 0.77, 1 - 1e-9):
             before = [gap for gap in ordered if contact_of(faces, gap)[0] <= (e, t)]
