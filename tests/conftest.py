@@ -1,14 +1,24 @@
 """What all tests share: where real files lie, and a switch for the pictures' backend."""
 
 import os
+import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 # Pictures are drawn without a screen; set before anything imports matplotlib, and for the programs that tests start.
 os.environ["MPLBACKEND"] = "Agg"
 
+# What is drawn at random anew in every run; set it to repeat one. Workers of one run inherit it.
+_SEED = os.environ.setdefault("MASHAPE_SEED", str(time.time_ns() % 2**32))
+
 _REPOSITORY = Path(__file__).parent.parent
+
+
+def pytest_report_header():
+    """Tell how to repeat what is drawn at random."""
+    return f"MASHAPE_SEED={_SEED} (MASHAPE_ALL=1 tries all that is drawn from)"
 
 
 def _folder_of(variable: str) -> Path:
@@ -46,3 +56,16 @@ def corpus() -> Path:
 def retrieval() -> Path:
     """Labelled shape sets; without MASHAPE_RETRIEVAL the test is skipped."""
     return _folder_of("MASHAPE_RETRIEVAL")
+
+
+@pytest.fixture
+def drawn():
+    """Draw so many of a list at random, by the seed that is printed above all tests; all of them if so asked."""
+
+    def draw(every: list, count: int) -> list:
+        if os.environ.get("MASHAPE_ALL"):
+            return every
+        order = np.random.default_rng(int(_SEED)).permutation(len(every))
+        return [every[k] for k in order[:count]]
+
+    return draw

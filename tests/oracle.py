@@ -19,6 +19,8 @@ from mashape_cad.medial.graph import MedialAxis
 from mashape_cad.medial.tour import site
 
 _PER_SPAN = 96
+# What lies this close beside a place (spans) tells of its radius no more than the curvature there.
+_BESIDE = 5e-4
 
 
 class Oracle:
@@ -43,9 +45,16 @@ class Oracle:
             if value > 2 * best and e not in self.beside[number]:
                 break
             # Right at p the quotient is 0 / 0; what it tends to is the radius of curvature, which is counted already.
-            skip = (u - 5e-4, u + 5e-4) if e == number else (2.0, 2.0)
+            beside = _BESIDE * self._width_of_span(number, u)
+            skip = (u - beside, u + beside) if e == number else (2.0, 2.0)
             best = min(best, self._refined(point, normal, e, (low, high), skip))
         return best
+
+    def _width_of_span(self, number: int, u: float) -> float:
+        """Of the span that holds a place of an edge; spans of a kink that is rounded in a spline are short."""
+        _, breaks = self.profile.edges[number].spans()
+        k = int(np.clip(np.searchsorted(breaks, u), 1, len(breaks) - 1))
+        return float(breaks[k] - breaks[k - 1])
 
     def disc(self, number: int, u: float) -> Floats:
         """Centre and radius of the maximal disc at a place: (3,)."""
@@ -143,9 +152,14 @@ def check_densely(profile: Profile, axis: MedialAxis, per_span: int = 7) -> None
     assert np.all(np.abs(point + discs[:, 2:] * normal - discs[:, :2]).max(axis=1) <= accuracy)
     assert np.all(cKDTree(boundary).query(discs[:, :2])[0] >= discs[:, 2] - accuracy)
     assert np.all(np.abs(np.linalg.norm(twin - discs[:, :2], axis=1) - discs[:, 2]) <= accuracy)
-    # What touches only once osculates, at an end: beside it the twin is the place's mirror image.
-    together = np.linalg.norm(twin - point, axis=1) <= 1e-3 * discs[:, 2]
-    assert np.all(places[together, 4] / frame.size * discs[together, 2] >= 1 - 1e-2)
+    # Two contacts close together say little: a disc through both has this radius; one that touches but once osculates.
+    way, r = twin - point, discs[:, 2]
+    apart = np.linalg.norm(way, axis=1)
+    close = (apart <= 1e-3 * r) & (apart >= 1e-6 * diagonal)
+    height = np.einsum("ij,ij->i", way, normal)[close]
+    assert np.all(apart[close] ** 2 <= 2 * r[close] * height * (1 + 1e-2))
+    together = apart < np.minimum(1e-3 * r, 1e-6 * diagonal)
+    assert np.all(places[together, 4] / frame.size * r[together] >= 1 - 1e-2)
 
 
 def _discs_at(axis: MedialAxis, element: np.ndarray, t: Floats) -> tuple[Floats, Floats, Floats]:

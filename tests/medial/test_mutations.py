@@ -1,5 +1,6 @@
 """An axis with a fault is refused, whatever the fault, and the reason names its place."""
 
+import os
 import re
 from functools import partial
 
@@ -23,13 +24,15 @@ _SHAPES = [
     "rectangle", "ell", "12-gon", "ellipse", "stadium", "rounded rectangle", "frame", "eccentric ring", "blob",
     "blob with holes", "bracket", "hole grid", "cross", "keyhole", "rational blob", "symmetric cap", "wave",
 ]  # fmt: skip
-_SAMPLES = ["airplane-4", "bracket-2", "chassis-3", "ell-1", "gear-2", "map-1"]
-# Of the mutations of one shape, so many are tried in the fast group, and of one sample in the slow one.
-_FEW, _MANY = 12, 150
+_SAMPLES = ["airplane-4", "bracket-2", "chassis-3", "ell-1", "gear-2"]
+# Real parts, the larger one with 54 slots and round holes.
+_REAL = ["step/CadQuery__red_cube_blue_cylinder.step"]
+# Of the mutations of one shape, so many are tried in the fast group, of one sample or real part in the slow one.
+_FEW, _MANY, _SOME = 12, 150, 40
 
 
 def _drawn(axis, count):
-    """So many mutations, drawn at random from all."""
+    """So many mutations, drawn at random from all, the same in every run."""
     every = list(mutations(axis))
     return [every[k] for k in np.random.default_rng(len(every)).permutation(len(every))[:count]]
 
@@ -68,6 +71,24 @@ def test_many_mutations_of_samples_are_refused(name, freeform80):
     """The same for outlines as they come from files, which have too many nodes for all."""
     axis = medial_axis(read(freeform80 / f"{name}.dxf").profiles[0])
     for mutation in _drawn(axis, _MANY):
+        _check(mutation)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("part", range(4 if os.environ.get("MASHAPE_ALL") else 1))
+def test_all_mutations_of_an_outline_are_refused(part, freeform80):
+    """Of the coast of a continent, 38 nodes: each of 496, to the end with `MASHAPE_ALL=1`, else every fourth."""
+    axis = medial_axis(read(freeform80 / "map-1.dxf").profiles[0])
+    for mutation in list(mutations(axis))[part::4]:
+        _check(mutation)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", _REAL)
+def test_some_mutations_of_real_parts_are_refused(name, corpus, drawn):
+    """Drawn anew in every run. All take a quarter of an hour; they have been tried."""
+    axis = medial_axis(read(corpus / name).profiles[0])
+    for mutation in drawn(list(mutations(axis)), _SOME):
         _check(mutation)
 
 
