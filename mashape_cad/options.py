@@ -57,6 +57,8 @@ class Declared:
         """Return what is wrong with a value, or None."""
         if value is None:
             return None
+        if isinstance(value, tuple):
+            return next(filter(None, map(self.complaint, value)), None)
         if self.choices and value not in self.choices:
             return f"must be one of {', '.join(self.choices)}, not {value!r}"
         if self.low is not None and value < self.low:
@@ -202,9 +204,14 @@ class SearchOptions:
 
     mode: str = _option(
         "similar",
-        "similar: in the order of the signatures. same: besides, each hit is laid over QUERY and compared exactly.",
-        choices=("similar", "same"),
+        "similar: in the order of the default signatures. same: besides, each hit is laid over QUERY and compared "
+        "exactly. paper: in the order of the paper's functions DF, RF and CF.",
+        choices=("similar", "same", "paper"),
     )
+    weights: tuple[float, float, float] | None = _option(
+        None, "How much DF, RF and CF count in --mode paper; not given, alike.", low=0.0, high=1e6
+    )
+    min_score: float = _option(0.0, "Only parts with at least this score.", unit="per cent", low=0.0, high=100.0)
     same_size: float | None = _option(
         None,
         f"Only parts of QUERY's size, by the square root of the area; without TOL to within {SAME_SIZE:.0%}.",
@@ -228,6 +235,10 @@ class SearchOptions:
         _check(self)
         if self.no_mirror and self.mode != "same":
             raise ValueError("no_mirror needs mode 'same': a signature does not tell mirror images apart")
+        if self.weights is not None and self.mode != "paper":
+            raise ValueError("weights need mode 'paper': the default signature has no functions DF, RF and CF")
+        if self.weights is not None and not any(self.weights):
+            raise ValueError("weights must not all be 0: then nothing is compared")
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from mashape_cad.evaluation.trial import Seconds, Trial
 from mashape_cad.findings import Finding, Severity
 from mashape_cad.library.freshness import source_of
 from mashape_cad.library.record import (
+    CURRENT_SHAPE,
     CURRENT_SIGNATURE,
     GENERATOR,
     AxisRecord,
@@ -36,8 +37,14 @@ def histogram(*filled: int) -> tuple[float, ...]:
     return tuple(filled.count(bin_) / len(filled) for bin_ in range(64))
 
 
+def shape(*filled: int) -> tuple[int, ...]:
+    """256 numbers, four for each bin: those named hold equal shares, the sum of squares is about 400 squared."""
+    number = min(round(200 / len(filled) ** 0.5), 127)
+    return tuple(number if entry // 4 in filled else 0 for entry in range(256))
+
+
 def profile_record(*filled: int, refused: Refusal | None = None) -> ProfileRecord:
-    """A square of 10 mm whose three histograms have the named bins filled."""
+    """A square of 10 mm whose three histograms and default signature have the named bins filled."""
     return ProfileRecord(
         origin=OriginRecord("outline", ("1F", "20")),
         bounds=(0.0, 0.0, 10.0, 10.0),
@@ -49,6 +56,7 @@ def profile_record(*filled: int, refused: Refusal | None = None) -> ProfileRecor
         axis=None if refused else AXIS,
         vectors=None if refused else {name: histogram(*filled) for name in ("df", "rf", "cf")},
         refused=refused,
+        shape=None if refused else shape(*filled),
     )
 
 
@@ -62,6 +70,7 @@ def sidecar(source: Source, *profiles: ProfileRecord, options: PartOptions | Non
         unit=UnitRecord("mm", 1.0, "insunits"),
         findings=(Finding("chain-open", Severity.LOST, "an end of Länge 3 is open", "2A", (1.5, -2.0)),),
         profiles=profiles,
+        shape_signature=CURRENT_SHAPE,
     )
 
 
@@ -121,5 +130,7 @@ def tried(path: Path, blake2b: str, profile: int, options: PartOptions) -> Trial
     if path.stem.startswith("bug"):
         raise ZeroDivisionError("division by zero")
     bin_ = len(path.stem)
-    vectors = {name: histogram(bin_, bin_ + 1) for name in ("df", "rf", "cf")}
-    return Trial(blake2b, profile, CURRENT_SIGNATURE, options, Seconds(4.0, 2.0, 1.0, 0.5), vectors)
+    vectors = {name: histogram(bin_, bin_ + 1) for name in ("df", "rf", "cf")} | {"shape": shape(bin_, bin_ + 1)}
+    return Trial(
+        blake2b, profile, CURRENT_SIGNATURE, CURRENT_SHAPE, options, Seconds(4.0, 2.0, 1.0, 0.5, 0.25), vectors
+    )

@@ -34,6 +34,8 @@ __all__ = ["search"]
 )
 @click.option("-k", "count", type=click.IntRange(1), default=10, show_default=True, help="At most so many parts.")
 @option(SearchOptions, "mode")
+@option(SearchOptions, "weights", nargs=3, metavar="DF RF CF")
+@option(SearchOptions, "min_score", metavar="SCORE")
 @option(SearchOptions, "same_size", bare=SAME_SIZE, metavar="[TOL]")
 @option(SearchOptions, "holes", metavar="N")
 @option(SearchOptions, "no_mirror")
@@ -47,6 +49,8 @@ def search(
     folders: tuple[Path, ...],
     count: int,
     mode: str,
+    weights: tuple[float, float, float] | None,
+    min_score: float,
     same_size: float | None,
     holes: int | None,
     no_mirror: bool,
@@ -60,6 +64,9 @@ def search(
     QUERY itself need not be scanned; if it is, it takes part and comes first, at distance 0. Each part is listed once:
     a drawing by the nearest of its profiles, a solid by its first face.
 
+    The score says how sure it is that a hit is of QUERY's kind: 100 for the same outline, whatever its place, size and
+    edges; docs/signature.md says how it was measured.
+
     With --mode same each hit is laid over QUERY, and said to be identical, mirrored, scaled, modified or similar, with
     the largest distance between the two outlines and the share of their area that differs.
     """
@@ -70,7 +77,11 @@ def search(
     started = time.perf_counter()
     if no_mirror and mode != "same":
         raise click.UsageError("--no-mirror needs --mode same: a signature does not tell mirror images apart")
-    options = SearchOptions(mode, same_size, holes, no_mirror, tolerance)
+    if weights is not None and mode != "paper":
+        raise click.UsageError("--weights needs --mode paper: the default signature has no functions DF, RF and CF")
+    if weights is not None and not any(weights):
+        raise click.UsageError("--weights must not all be 0: then nothing is compared")
+    options = SearchOptions(mode, weights, min_score, same_size, holes, no_mirror, tolerance)
     check_file(query)
     library = Library(*(folders or (query.parent,)))
     if not quiet:
@@ -93,7 +104,7 @@ def search(
 
 def _found(library: "Library", asked: "Query", count: int, options: SearchOptions, quiet: bool) -> "list[Match]":
     """Search; how the comparing gets on, and what could not be compared, goes to stderr."""
-    if options.mode == "similar":
+    if options.mode != "same":
         return library.search(asked, count, options=options)
     from mashape_cad.views.progress import comparing_progress
 

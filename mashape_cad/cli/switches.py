@@ -14,11 +14,16 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 
 
 def option(
-    options: type, name: str, *declarations: str, bare: float | None = None, metavar: str | None = None
+    options: type,
+    name: str,
+    *declarations: str,
+    bare: float | None = None,
+    metavar: str | None = None,
+    nargs: int = 1,
 ) -> Callable[[Command], Command]:
     """Return a switch for the field `name` of a class of `mashape_cad.options`.
 
-    Given `bare`, the switch may stand without a value and then means that.
+    Given `bare`, the switch may stand without a value and then means that. It takes `nargs` values.
     """
     default, declared = describe(options, name)
     kind = _kind(options, name, declared)
@@ -30,6 +35,7 @@ def option(
         is_flag=kind is click.BOOL,
         flag_value=bare if bare is not None else kind is click.BOOL or None,
         metavar=metavar,
+        nargs=nargs,
         default=default,
         show_default=default is not None and kind is not click.BOOL,
         help=help_text,

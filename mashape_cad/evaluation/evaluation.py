@@ -91,7 +91,7 @@ class Times:
     ----------
     shapes : int
         How many were timed.
-    reading, axes, signatures, coarse_signatures : float
+    reading, axes, signatures, coarse_signatures, default_signatures : float
         See `mashape_cad.evaluation.trial.Seconds`.
     queries, coarse_queries : float
         All against all, in the mode that takes longest.
@@ -102,13 +102,14 @@ class Times:
     axes: float
     signatures: float
     coarse_signatures: float
+    default_signatures: float
     queries: float
     coarse_queries: float
 
     @property
     def total(self) -> float:
-        """Medial axes, signatures and queries."""
-        return self.axes + self.signatures + self.queries
+        """Medial axes, both signatures and queries."""
+        return self.axes + self.signatures + self.default_signatures + self.queries
 
 
 def evaluated(labels: Sequence[str], signatures: Signatures, modes: Sequence[Mode]) -> Evaluation:
@@ -154,6 +155,7 @@ def total_times(trials: Sequence[Trial], full: Evaluation, coarse: Evaluation) -
         axes=math.fsum(each.axis for each in spent),
         signatures=math.fsum(each.signature for each in spent),
         coarse_signatures=math.fsum(each.coarse_signature for each in spent),
+        default_signatures=math.fsum(each.shape for each in spent),
         queries=max(full.seconds.values(), default=0.0),
         coarse_queries=max(coarse.seconds.values(), default=0.0),
     )

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mashape_cad.library.ranking import Stack
+from mashape_cad.library.shapes import Shapes
 
 __all__ = ["MODES", "Mode", "Signatures", "stacked"]
 
@@ -53,6 +54,12 @@ def summed(signatures: Signatures) -> Floats:
     return np.array([stack.distances(row) for row in rows])
 
 
+def straight(signatures: Signatures) -> Floats:
+    """Return the Euclidean distances of default signatures."""
+    shapes = Shapes.of(signatures["shape"])
+    return np.array([shapes.distances(row) for row in shapes.rows])
+
+
 MODES = (
     Mode("paper-df", ("df",), summed),
     Mode("paper-rf", ("rf",), summed),
@@ -61,4 +68,5 @@ MODES = (
     Mode("paper-df-cf", ("df", "cf"), summed, is_drawn=False),
     Mode("paper-rf-cf", ("rf", "cf"), summed, is_drawn=False),
     Mode("paper-all", ("df", "rf", "cf"), summed),
+    Mode("default", ("shape",), straight),
 )

@@ -60,7 +60,7 @@ def report(labelled: LabelledSet, modes: Sequence[Mode], trials: Mapping[Path, T
         Those of its shapes; with fewer than all, the report is without sampling and times.
     """
     shapes, labels = labelled.shapes, labelled.labels
-    full = evaluated(labels, stacked([shape.record.vectors or {} for shape in shapes]), modes)
+    full = evaluated(labels, stacked([shape.record.compared for shape in shapes]), modes)
     tables = tuple(table for table in published(labels) if table.mode in full.modes)
     drawn = tuple(mode.name for mode in modes if mode.name in full.modes and (mode.is_drawn or len(modes) == 1))
     if any(shape.path not in trials for shape in shapes):

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
-from mashape_cad.library.record import CURRENT_SIGNATURE, SignatureName
+from mashape_cad.library.record import CURRENT_SHAPE, CURRENT_SIGNATURE, SignatureName
 from mashape_cad.options import PartOptions
 
 __all__ = ["Seconds", "Trial", "coarser", "tried"]
@@ -28,15 +28,18 @@ class Seconds:
     axis : float
         The exact medial axis of one profile; it does not depend on a step.
     signature : float
-        Its signature as sidecars have it.
+        Paper mode's signature as sidecars have it.
     coarse_signature : float
-        Its signature from half as many stations.
+        The same from half as many stations.
+    shape : float
+        The default signature as sidecars have it.
     """
 
     reading: float
     axis: float
     signature: float
     coarse_signature: float
+    shape: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,17 +51,18 @@ class Trial:
     blake2b : str
         Hash of the part's file.
     profile : int
-    signature : SignatureName
+    signature, shape_signature : SignatureName
     options : PartOptions
-        What shaped the signature that was timed; the coarse one has half the stations.
+        What shaped the signatures that were timed; the coarse ones have half the stations, or steps.
     seconds : Seconds
     coarse : mapping of str to tuple of float
-        Vectors of the coarse signature.
+        Vectors of the coarse signatures.
     """
 
     blake2b: str
     profile: int
     signature: SignatureName
+    shape_signature: SignatureName
     options: PartOptions
     seconds: Seconds
     coarse: Mapping[str, tuple[float, ...]]
@@ -80,15 +84,18 @@ def tried(path: Path, blake2b: str, profile: int, options: PartOptions) -> Trial
     # Loads the kernel: only in workers, and only for a part that was not tried before.
     from mashape_cad.library.derivation import read_part  # noqa: PLC0415
     from mashape_cad.medial.axis import medial_axis  # noqa: PLC0415
-    from mashape_cad.signatures.paper import signature  # noqa: PLC0415
+    from mashape_cad.signatures import paper, shape, spokes  # noqa: PLC0415
 
     stations = options.signature.per_edge
     reading, part = _timed(lambda: read_part(path, options.read))
     tracing, axis = _timed(lambda: medial_axis(part.profiles[profile]))
-    full, _ = _timed(lambda: signature(axis, stations))
-    half, coarse = _timed(lambda: signature(axis, coarser(stations)))
-    vectors = {name: tuple(vector.tolist()) for name, vector in coarse.vectors.items()}
-    return Trial(blake2b, profile, CURRENT_SIGNATURE, options, Seconds(reading, tracing, full, half), vectors)
+    full, _ = _timed(lambda: paper.signature(axis, stations))
+    half, coarse = _timed(lambda: paper.signature(axis, coarser(stations)))
+    default, _ = _timed(lambda: shape.signature(axis))
+    coarse_shape = shape.signature(axis, coarser(spokes.STEPS))
+    vectors = {name: tuple(row.tolist()) for each in (coarse, coarse_shape) for name, row in each.vectors.items()}
+    spent = Seconds(reading, tracing, full, half, default)
+    return Trial(blake2b, profile, CURRENT_SIGNATURE, CURRENT_SHAPE, options, spent, vectors)
 
 
 def _timed(step: Callable[[], Value]) -> tuple[float, Value]:

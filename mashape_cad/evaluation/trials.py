@@ -12,7 +12,7 @@ from mashape_cad.errors import KernelUnavailableError
 from mashape_cad.evaluation.labelled import LabelledSet, Shape
 from mashape_cad.evaluation.trial import Trial, tried
 from mashape_cad.library.freshness import Status
-from mashape_cad.library.record import CURRENT_SIGNATURE, Failure
+from mashape_cad.library.record import CURRENT_SHAPE, CURRENT_SIGNATURE, Failure
 from mashape_cad.library.replacing import replace_file
 from mashape_cad.options import PartOptions, ScanOptions
 from mashape_cad.scanning import Event, FileScanned, ScanStarted
@@ -22,7 +22,7 @@ __all__ = ["STORE", "trials"]
 
 # A name that no scan looks at.
 STORE = ".mashape-trials.json"
-_FORMAT = 1
+_FORMAT = 2
 _PRELOAD = "mashape_cad.library.preload"
 
 Try = Callable[[Path, str, int, PartOptions], Trial]
@@ -119,7 +119,7 @@ def _key(shape: Shape) -> tuple[str, int]:
 
 
 def _fits(trial: Trial, options: PartOptions) -> bool:
-    return (trial.signature, trial.options) == (CURRENT_SIGNATURE, options)
+    return (trial.signature, trial.shape_signature, trial.options) == (CURRENT_SIGNATURE, CURRENT_SHAPE, options)
 
 
 def _read(store: Path) -> Iterable[Trial]:

@@ -24,6 +24,7 @@ from mashape_cad.geometry.edge import Arc, BSpline, Floats, Line
 from mashape_cad.geometry.profile import Loop, Origin, Profile
 from mashape_cad.library.freshness import source_of
 from mashape_cad.library.record import (
+    CURRENT_SHAPE,
     CURRENT_SIGNATURE,
     GENERATOR,
     AxisRecord,
@@ -43,7 +44,7 @@ from mashape_cad.medial.certificate import certificate
 from mashape_cad.options import PartOptions, ReadOptions, SignatureOptions
 from mashape_cad.reading.part import Part
 from mashape_cad.reading.reader import read
-from mashape_cad.signatures.paper import signature
+from mashape_cad.signatures import paper, shape
 
 __all__ = ["derive", "profile_record", "profile_records", "read_part", "records_of", "refusal", "warm_up"]
 
@@ -86,6 +87,7 @@ def derive(path: Path, options: PartOptions | None = None) -> Sidecar:
         findings=part.findings + tuple(_refusals(records)),
         failure=None if records else _no_profile(part),
         profiles=records,
+        shape_signature=CURRENT_SHAPE,
     )
 
 
@@ -143,13 +145,14 @@ def profile_record(profile: Profile, options: SignatureOptions, stations: int = 
         return _without_extent(profile, error)
     try:
         axis = medial_axis(profile)
-        certified, vectors = _certified(axis, stations), _vectors(axis, options)
+        certified, vectors, numbers = _certified(axis, stations), _vectors(axis, options), _numbers(axis)
         branches = _branches(axis, float((bounds[1] - bounds[0]).max()))
     except KernelUnavailableError:
         raise
     except Exception as error:  # noqa: BLE001  (a fault of ours in one profile must not cost the others)
         return _record(profile, bounds, thumbnail(profile, bounds), refused=refusal(error))
-    return _record(profile, bounds, thumbnail(profile, bounds, branches), axis=certified, vectors=vectors)
+    picture = thumbnail(profile, bounds, branches)
+    return _record(profile, bounds, picture, axis=certified, vectors=vectors, shape=numbers)
 
 
 def refusal(error: Exception) -> Refusal:
@@ -250,13 +253,15 @@ def _finite(error: float | None) -> float | None:
 
 
 def _vectors(axis: MedialAxis, options: SignatureOptions) -> Mapping[str, tuple[float, ...]]:
-
-    vectors = signature(axis, per_edge=options.per_edge).vectors
+    vectors = paper.signature(axis, per_edge=options.per_edge).vectors
     return {name: tuple(vector.tolist()) for name, vector in vectors.items()}
 
 
-def _branches(axis: MedialAxis, size: float) -> list[Floats]:
+def _numbers(axis: MedialAxis) -> tuple[int, ...]:
+    return tuple(int(number) for number in shape.signature(axis).vectors["shape"])
 
+
+def _branches(axis: MedialAxis, size: float) -> list[Floats]:
     if not axis.branches:  # a disc: its axis is one point
         return [np.column_stack([axis.nodes.centre, axis.nodes.radius])]
     samples = sampled_branches(axis, size * _THUMBNAIL_STEP)

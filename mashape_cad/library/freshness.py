@@ -11,7 +11,7 @@ from pathlib import Path
 
 from mashape_cad.errors import SidecarError, UnreadableFileError
 from mashape_cad.library.json_text import valid_text
-from mashape_cad.library.record import CURRENT_SIGNATURE, Sidecar, Source
+from mashape_cad.library.record import CURRENT_SHAPE, CURRENT_SIGNATURE, Sidecar, Source
 from mashape_cad.library.sidecar import UnknownVersionError, read_sidecar, sidecar_path
 from mashape_cad.options import PartOptions
 
@@ -80,7 +80,7 @@ def freshness(part: Path, options: PartOptions) -> Freshness:
         return Freshness(Status.CHANGED)
     except SidecarError:
         return Freshness(Status.CHANGED if sidecar_path(part).exists() else Status.NEW)
-    if (sidecar.signature, sidecar.options) != (CURRENT_SIGNATURE, options):
+    if (sidecar.signature, sidecar.shape_signature, sidecar.options) != (CURRENT_SIGNATURE, CURRENT_SHAPE, options):
         return Freshness(Status.CHANGED)
     return _compared(part, sidecar)
 

@@ -3,6 +3,7 @@
 import shlex
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import islice
 from os import PathLike
 from pathlib import Path
@@ -15,9 +16,11 @@ from mashape_cad.errors import LibraryError, SidecarError
 from mashape_cad.library.folders import check_folder, part_files
 from mashape_cad.library.freshness import freshness
 from mashape_cad.library.match import Match
-from mashape_cad.library.ranking import Floats, Stack
-from mashape_cad.library.record import CURRENT_SIGNATURE, ProfileRecord, Sidecar
+from mashape_cad.library.ranking import PAPER_VECTORS, Floats, Stack
+from mashape_cad.library.record import CURRENT_SHAPE, CURRENT_SIGNATURE, ProfileRecord, Sidecar
+from mashape_cad.library.score import scores
 from mashape_cad.library.selection import comparable, profiles_of
+from mashape_cad.library.shapes import Shapes
 from mashape_cad.library.sidecar import UnknownVersionError, read_sidecar, sidecar_path
 from mashape_cad.options import PartOptions, SearchOptions
 
@@ -126,23 +129,35 @@ class Library:
 
         In mode ``same`` each is compared with the query when its turn comes.
         """
-        if options.mode == "similar":
+        if options.mode != "same":
             return self._ranked(asked, options)
         from mashape_cad.library.verification import verified  # noqa: PLC0415  (loads the kernel)
 
         return verified(asked, self._ranked(asked, options), self.options, options)
 
     def _ranked(self, asked: Query, options: SearchOptions) -> Iterator[Match]:
-        distances = self._rows.stack.distances(asked.record.vectors or {})
-        passing = self._passing(asked, options)
+        shape_distances = self._rows.shapes.distances(asked.record.shape or ())
+        score = scores(shape_distances)
+        distances = shape_distances if options.mode != "paper" else self._paper_distances(asked, options)
+        passing = self._passing(asked, options, score)
         order = [row for row in self._order(asked, distances).tolist() if passing[row]]
         _, first = np.unique(self._rows.part[order], return_index=True)
         for rank, place in enumerate(np.sort(first).tolist(), start=1):
-            yield self._match(rank, order[place], float(distances[order[place]]))
+            row = order[place]
+            yield self._match(rank, row, float(distances[row]), float(score[row]))
 
-    def _passing(self, asked: Query, options: SearchOptions) -> NDArray[np.bool_]:
+    def _paper_distances(self, asked: Query, options: SearchOptions) -> Floats:
+        weights = dict(zip(PAPER_VECTORS, options.weights or (1.0, 1.0, 1.0), strict=True))
+        return self._paper_stack.distances(asked.record.vectors or {}, weights)
+
+    @cached_property
+    def _paper_stack(self) -> Stack:
+        """Made when it is asked for: its medians take longer than a search."""
+        return Stack.of([record.vectors or {} for record in self._rows.records], self._rows.stands_for_part)
+
+    def _passing(self, asked: Query, options: SearchOptions, score: Floats) -> NDArray[np.bool_]:
         """Return whether each row passes the filters."""
-        passing = np.ones(len(self._rows.part), bool)
+        passing = score >= options.min_score
         if options.holes is not None:
             passing &= self._rows.holes == options.holes
         if options.same_size is not None:
@@ -209,13 +224,13 @@ class Library:
         raise LibraryError(f"{names}: no profile that can be compared; to see why, run: {self._scan_command()} --json")
 
     def _common_options(self) -> PartOptions:
-        shaped = {(sidecar.signature, sidecar.options) for _, sidecar in self.parts}
-        if len(shaped) > 1 or next(iter(shaped))[0] != CURRENT_SIGNATURE:
+        shaped = {(sidecar.signature, sidecar.shape_signature, sidecar.options) for _, sidecar in self.parts}
+        if len(shaped) > 1 or next(iter(shaped))[:2] != (CURRENT_SIGNATURE, CURRENT_SHAPE):
             raise LibraryError(
                 "its sidecars were made with other signatures or options, so that their distances mean nothing; "
                 f"run: {self._scan_command()}"
             )
-        return next(iter(shaped))[1]
+        return next(iter(shaped))[2]
 
     def _scan_command(self) -> str:
         return shlex.join(["mashape-cad", "scan", *map(str, self.folders)])
@@ -236,10 +251,9 @@ class Library:
                 return number
         return -1
 
-    def _match(self, rank: int, row: int, distance: float) -> Match:
-        path, sidecar = self.parts[self._rows.part[row]]
-        profile = int(self._rows.profile[row])
-        return Match(rank, path, profile, distance, sidecar.profiles[profile])
+    def _match(self, rank: int, row: int, distance: float, score: float) -> Match:
+        path, _ = self.parts[self._rows.part[row]]
+        return Match(rank, path, int(self._rows.profile[row]), distance, self._rows.records[row], score)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -249,9 +263,10 @@ class _Rows:
     part: NDArray[np.intp]
     profile: NDArray[np.intp]
     stands_for_part: NDArray[np.bool_]
+    records: tuple[ProfileRecord, ...]
     area: Floats
     holes: NDArray[np.intp]
-    stack: Stack
+    shapes: Shapes
 
     @classmethod
     def of(cls, parts: tuple[tuple[Path, Sidecar], ...]) -> "_Rows":
@@ -261,10 +276,9 @@ class _Rows:
             for position, (number, record) in enumerate(_comparable(sidecar))
         ]
         part, profile, stands_for_part, records = zip(*rows, strict=True)
-        is_main = np.array(stands_for_part)
         area, holes = (np.array([getattr(record, name) for record in records]) for name in ("area", "holes"))
-        stack = Stack.of([record.vectors for record in records], is_main)
-        return cls(np.array(part), np.array(profile), is_main, area, holes, stack)
+        shapes = Shapes.of([record.shape or () for record in records])
+        return cls(np.array(part), np.array(profile), np.array(stands_for_part), records, area, holes, shapes)
 
 
 def _comparable(sidecar: Sidecar) -> Iterator[tuple[int, ProfileRecord]]:

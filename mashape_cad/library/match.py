@@ -22,9 +22,12 @@ class Match:
     profile : int
         Number of the profile in its file, from 0.
     distance : float
-        0 for equal signatures; 3 is as far as two parts of this library typically are apart.
+        Of the signatures, 0 for equal ones: from 0 to 2, or in mode ``paper`` about 3 between two parts of this library
+        that have nothing in common.
     record : ProfileRecord
         What the sidecar keeps of that profile: size, outline and axis for pictures.
+    score : float
+        How sure it is that both are of one kind, 0 to 100: see `mashape_cad.library.score`.
     relation : Relation or None
         What it is to the query, if the two were laid over one another.
     unverified : str or None
@@ -36,5 +39,6 @@ class Match:
     profile: int
     distance: float
     record: ProfileRecord
+    score: float
     relation: Relation | None = None
     unverified: str | None = None

@@ -1,8 +1,8 @@
-"""How far signatures are apart: many stacked into arrays, compared with one in a single pass.
+"""How far paper mode's signatures are apart: many stacked into arrays, compared with one in a single pass.
 
-The distance of two profiles is the sum over the signature's vectors (paper mode: DF, RF, CF) of their Euclidean
-distance, each divided by its median over the library (paper notes, readings 15 and 16), so that no function outweighs
-the others because its histograms happen to differ more.
+The distance of two profiles is the sum over the signature's vectors (DF, RF, CF) of their Euclidean distance, each
+divided by its median over the library (paper notes, readings 15 and 16), so that no function outweighs the others
+because its histograms happen to differ more.
 """
 
 from collections.abc import Mapping, Sequence
@@ -11,10 +11,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Stack"]
+__all__ = ["PAPER_VECTORS", "Stack"]
 
 Floats = NDArray[np.float64]
 
+# In the order in which weights are given.
+PAPER_VECTORS = ("df", "rf", "cf")
 # Medians are taken over all pairs of at most so many profiles: half a million pairs, some tenths of a second. Of a
 # larger library every n-th profile is taken, in the order of names, so that the same library gives the same distances.
 _MOST_FOR_MEDIAN = 1000
@@ -45,10 +47,16 @@ class Stack:
         chosen = slice(None) if counts is None else counts
         return cls(vectors, {name: _median_distance(rows[chosen]) for name, rows in vectors.items()})
 
-    def distances(self, signature: Mapping[str, Sequence[float]]) -> Floats:
-        """Return the distance of one signature to each of the stack, (n,); exactly 0 to an equal one."""
+    def distances(self, signature: Mapping[str, Sequence[float]], weights: Mapping[str, float] | None = None) -> Floats:
+        """Return the distance of one signature to each of the stack, (n,); exactly 0 to an equal one.
+
+        `weights` are factors of the vectors by name; not given, all count alike.
+        """
+        factors = dict.fromkeys(self.vectors, 1.0) | dict(weights or {})
         parts = [
-            np.linalg.norm(rows - np.asarray(signature[name], dtype=np.float64), axis=1) / self.scales[name]
+            factors[name]
+            * np.linalg.norm(rows - np.asarray(signature[name], dtype=np.float64), axis=1)
+            / self.scales[name]
             for name, rows in self.vectors.items()
         ]
         return np.sum(parts, axis=0)

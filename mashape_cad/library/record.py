@@ -13,6 +13,7 @@ from mashape_cad.options import PartOptions
 from mashape_cad.version import __version__
 
 __all__ = [
+    "CURRENT_SHAPE",
     "CURRENT_SIGNATURE",
     "GENERATOR",
     "AxisRecord",
@@ -81,8 +82,9 @@ class SignatureName:
 
 
 GENERATOR = f"mashape-cad {__version__}"
-# Stated here and not asked of the signature itself, because that loads numpy: a test holds the two together.
+# Stated here and not asked of the signatures themselves, because that loads numpy: a test holds them together.
 CURRENT_SIGNATURE = SignatureName("paper", 1)
+CURRENT_SHAPE = SignatureName("default", 1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -190,8 +192,10 @@ class ProfileRecord:
     axis : AxisRecord or None
         None if the axis was refused.
     vectors : mapping of str to tuple of float, or None
-        The signature's vectors by name; None if the axis was refused.
+        Paper mode's vectors by name; None if the axis was refused.
     refused : Refusal or None
+    shape : tuple of int or None
+        The default signature, 256 whole numbers from -127 to 127; None if the axis was refused.
     """
 
     origin: OriginRecord
@@ -204,6 +208,12 @@ class ProfileRecord:
     axis: AxisRecord | None = None
     vectors: Mapping[str, tuple[float, ...]] | None = None
     refused: Refusal | None = None
+    shape: tuple[int, ...] | None = None
+
+    @property
+    def compared(self) -> Mapping[str, tuple[float, ...]]:
+        """All that it is compared by: paper mode's vectors, and ``shape``; nothing if the axis was refused."""
+        return {**(self.vectors or {}), **({"shape": self.shape} if self.shape else {})}
 
     @property
     def size(self) -> tuple[float, float]:
@@ -237,6 +247,7 @@ class Sidecar:
     generator : str
         Program and version that made it; on record only, it does not decide freshness.
     signature : SignatureName
+        Of paper mode.
     source : Source
     options : PartOptions
         What shaped the result.
@@ -246,6 +257,8 @@ class Sidecar:
     failure : Failure or None
     profiles : tuple of ProfileRecord
         In the order of the file's reader: the one that `search` uses by default comes first.
+    shape_signature : SignatureName or None
+        Of the default signature; None in sidecars of before there was one.
     """
 
     generator: str
@@ -256,8 +269,9 @@ class Sidecar:
     findings: tuple[Finding, ...] = ()
     failure: Failure | None = None
     profiles: tuple[ProfileRecord, ...] = ()
+    shape_signature: SignatureName | None = None
 
     @classmethod
     def failed(cls, source: Source, options: PartOptions, failure: Failure) -> "Sidecar":
         """Return the sidecar of a file that gave nothing at all."""
-        return cls(GENERATOR, CURRENT_SIGNATURE, source, options, failure=failure)
+        return cls(GENERATOR, CURRENT_SIGNATURE, source, options, failure=failure, shape_signature=CURRENT_SHAPE)

@@ -11,9 +11,9 @@ import numpy as np
 from mashape_cad.geometry.edge import Arc, Edge, EllipseArc, Floats, Line
 from mashape_cad.medial.assembly import foot
 from mashape_cad.medial.branch import contact_before, discs_on_piece
-from mashape_cad.medial.compiled import compiled
 from mashape_cad.medial.graph import MedialAxis
 from mashape_cad.medial.tour import Ints, Tour, site
+from mashape_cad.signatures.compiled import compiled
 
 __all__ = ["Stations", "stations"]
 

@@ -163,6 +163,7 @@ def _times(report: Report, times: Times) -> Iterator[tuple[str, str, float, str]
 
     yield "reading the files", "", times.reading, ""
     yield "medial axes", "", times.axes, minutes(full, 0)
+    yield "default signatures", "", times.default_signatures, ""
     yield "signatures, all functions", step_of(full), times.signatures, ""
     yield "queries, all against all", step_of(full), times.queries, minutes(full, 1)
     yield "signatures, all functions", step_of(coarse), times.coarse_signatures, ""

@@ -56,6 +56,7 @@ def match_message(match: Match) -> str:
         path=readable(match.path),
         profile=match.profile,
         distance=match.distance,
+        score=match.score,
         size_mm=match.record.size,
         relation=match.relation and match.relation.kind,
         **(_comparison(match) if match.relation or match.unverified else {}),

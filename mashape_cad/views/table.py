@@ -18,14 +18,14 @@ _UNBOUNDED = 10_000
 
 
 def print_matches(matches: Sequence[Match], stream: TextIO, *, compared: bool = False) -> None:
-    """Print rank, part, profile, distance and size (width x height, mm) of each match.
+    """Print rank, part, profile, score, distance and size (width x height, mm) of each match.
 
     `compared` with the query (mode same), also what it is to it and what says so.
     """
     console = Console(file=stream, width=None if stream.isatty() else _UNBOUNDED, highlight=False)
     table = Table(box=None, pad_edge=False, header_style="bold")
     comparison = ("relation", "deviation (mm)", "area differs") if compared else ()
-    for heading in ("rank", "part", "profile", "distance", "size (mm)", *comparison):
+    for heading in ("rank", "part", "profile", "score", "distance", "size (mm)", *comparison):
         table.add_column(heading, justify="left" if heading in ("part", "relation") else "right", overflow="fold")
     for match in matches:
         cells = _row(match) + (_relation(match) if compared else ())
@@ -59,4 +59,11 @@ def _relation(match: Match) -> tuple[str, str, str]:
 def _row(match: Match) -> tuple[str, ...]:
     width, height = match.record.size
     size = f"{width:.4g} x {height:.4g}"
-    return str(match.rank), readable(match.path), str(match.profile), f"{match.distance:.4f}", size
+    return (
+        str(match.rank),
+        readable(match.path),
+        str(match.profile),
+        f"{match.score:.0f}",
+        f"{match.distance:.4f}",
+        size,
+    )

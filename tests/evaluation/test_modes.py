@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from mashape_cad.evaluation.modes import MODES, stacked
+from mashape_cad.options import SearchOptions
 
 # Three shapes on a line in DF (at 0, 1, 3), all alike in RF but the last, and two of a kind in CF.
 VECTORS = [
@@ -40,13 +41,16 @@ def test_distances_are_euclidean_and_added_up_over_their_medians(name):
     np.testing.assert_allclose(mode.distances(vectors), EXPECTED[name], atol=1e-12)
 
 
-def test_distances_are_those_of_a_search(folder):
+@pytest.mark.parametrize(("name", "asked"), [("paper-all", "paper"), ("default", "similar")])
+def test_distances_are_those_of_a_search(folder, name, asked):
     """Evaluated is what `search` does."""
     from mashape_cad import Library
     from mashape_cad.evaluation.labelled import labelled_set
 
     shapes = labelled_set(folder).shapes
-    [mode] = [mode for mode in MODES if mode.name == "paper-all"]
-    distances = mode.distances(stacked([shape.record.vectors for shape in shapes]))
-    found = {match.path: match.distance for match in Library(folder).search(shapes[2].path)}
+    [mode] = [mode for mode in MODES if mode.name == name]
+    vectors = stacked([shape.record.compared for shape in shapes])
+    distances = mode.distances({each: vectors[each] for each in mode.vectors})
+    matches = Library(folder).search(shapes[2].path, options=SearchOptions(asked))
+    found = {match.path: match.distance for match in matches}
     assert distances[2] == pytest.approx([found[shape.path] for shape in shapes])

@@ -55,10 +55,10 @@ def test_is_readable_json_in_utf8_with_unix_line_ends():
 
 
 def test_a_change_is_a_small_diff():
-    """Another number in one histogram touches that histogram's line only."""
+    """Another number in one vector touches that vector's line only."""
     other = replace(WHOLE, profiles=(stand_ins.profile_record(1, 2, 4), *WHOLE.profiles[1:]))
     lines = zip(encode(WHOLE).splitlines(), encode(other).splitlines(), strict=True)
-    assert sum(before != after for before, after in lines) == 3
+    assert sum(before != after for before, after in lines) == 4
 
 
 def test_starts_with_format_and_version():

@@ -207,7 +207,7 @@ def test_the_page_has_tables_and_sheets(small, tmp_path):
     assert "<b>" not in text
     assert "<b>&" in page.texts
     assert page.tags.count("table") == len(grids(small))
-    drawn = ["paper-df", "paper-rf", "paper-cf", "paper-all"]
+    drawn = ["paper-df", "paper-rf", "paper-cf", "paper-all", "default"]
     hits = [f"{kind}-hits-{mode}" for mode in drawn for kind in ("first", "all")]
     assert page.ids == ["database", *hits, "axes", "signatures"]
     assert "of the paper" not in text.split("<main>")[1].split("<details")[1]
@@ -246,7 +246,7 @@ def test_sheets_name_the_figures_they_follow(paper_set):
 def test_every_sheet_becomes_a_png(small, tmp_path):
     """In a folder that is made for them."""
     written = write_pictures(tmp_path / "new" / "sheets", small)
-    assert len(written) == 11
+    assert len(written) == 13
     assert all(path.read_bytes().startswith(b"\x89PNG") for path in written)
 
 

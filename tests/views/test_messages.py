@@ -71,7 +71,7 @@ def test_paths_are_valid_text():
 
 
 def _match(**more):
-    return json.loads(match_message(Match(1, Path("a.dxf"), 0, 0.25, profile_record(1), **more)))
+    return json.loads(match_message(Match(1, Path("a.dxf"), 0, 0.25, profile_record(1), 90.0, **more)))
 
 
 def test_a_match_has_no_relation_unless_it_was_compared():

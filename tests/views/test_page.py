@@ -19,7 +19,7 @@ NAMES = ("gear.dxf", "Träger <1> & Söhne.step", 'a"quoted".dxf', "odd\udce4.dx
 @pytest.fixture
 def matches(plate):
     """Four matches with names that are hard to write down."""
-    return [Match(i + 1, Path("parts") / name, i, 0.25 * i, plate) for i, name in enumerate(NAMES)]
+    return [Match(i + 1, Path("parts") / name, i, 0.25 * i, plate, 50.0) for i, name in enumerate(NAMES)]
 
 
 class Reader(html.parser.HTMLParser):
@@ -134,8 +134,8 @@ def test_hits_that_were_compared_are_laid_over_the_query(plate, tmp_path):
     """The tile says what the hit is and how far it is off, and shows what differs."""
     relation = Relation(Kind.SCALED, 25.4, False, 0.25, 0.031, 0.9, 0.1, (1.0, 0.0, 0.0, 1.0, 2.0, 0.0))
     matches = [
-        Match(1, Path("a.dxf"), 0, 0.5, plate, relation=relation),
-        Match(2, Path("b.dxf"), 0, 0.6, plate, unverified="b.dxf: gone"),
+        Match(1, Path("a.dxf"), 0, 0.5, plate, 50.0, relation=relation),
+        Match(2, Path("b.dxf"), 0, 0.6, plate, 50.0, unverified="b.dxf: gone"),
     ]
     text = page(tmp_path, plate, matches, "query.dxf")
     shown = Reader(text)

@@ -20,22 +20,24 @@ def _printed(*matches, width=None, compared=False):
 
 
 def test_matches_in_order_with_size():
-    """Rank, part, profile, distance, size."""
+    """Rank, part, profile, score, distance, size."""
     record = replace(profile_record(1), bounds=(1.0, 2.0, 124.456, 14.0))
-    lines = _printed(Match(1, Path("a.dxf"), 0, 0.0, record), Match(12, Path("dir/b.step"), 3, 1.23456, record))
-    assert lines[1].split() == ["1", "a.dxf", "0", "0.0000", "123.5", "x", "12"]
+    lines = _printed(
+        Match(1, Path("a.dxf"), 0, 0.0, record, 100.0), Match(12, Path("dir/b.step"), 3, 1.23456, record, 7.4)
+    )
+    assert lines[1].split() == ["1", "a.dxf", "0", "100", "0.0000", "123.5", "x", "12"]
     assert lines[2].split() == ["12", str(Path("dir/b.step")), "3", "1.2346", "123.5", "x", "12"]
 
 
 def test_a_long_name_is_not_cut_in_a_pipe():
     """Programs and files get it whole, on one line."""
     name = "x" * 500 + ".dxf"
-    assert name in _printed(Match(1, Path(name), 0, 0.0, profile_record(1)))[1]
+    assert name in _printed(Match(1, Path(name), 0, 0.0, profile_record(1), 100.0))[1]
 
 
 def test_names_are_not_markup():
     """Brackets and emoji codes are letters."""
-    assert "[red]:smile: a.dxf" in _printed(Match(1, Path("[red]:smile: a.dxf"), 0, 0.0, profile_record(1)))[1]
+    assert "[red]:smile: a.dxf" in _printed(Match(1, Path("[red]:smile: a.dxf"), 0, 0.0, profile_record(1), 100.0))[1]
 
 
 def test_certificates():
@@ -51,7 +53,7 @@ def test_certificates():
 def test_hits_that_were_compared_say_what_they_are():
     """With the numbers that justify it; one that could not be read says that."""
     relation = Relation(Kind.SCALED, 25.4, False, 1.234e-9, 0.00021, 1.0, 0.1, (1.0, 0.0, 0.0, 1.0, 0.0, 0.0))
-    told = Match(1, Path("a.dxf"), 0, 0.0, profile_record(1), relation=relation)
-    lines = _printed(told, Match(2, Path("b.dxf"), 0, 0.5, profile_record(1), unverified="gone"), compared=True)
+    told = Match(1, Path("a.dxf"), 0, 0.0, profile_record(1), 100.0, relation=relation)
+    lines = _printed(told, Match(2, Path("b.dxf"), 0, 0.5, profile_record(1), 80.0, unverified="gone"), compared=True)
     assert lines[1].endswith("scaled by 25.4 (inch/mm?)               0         0.02%")
     assert lines[2].rstrip().endswith("not compared")
