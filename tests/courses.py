@@ -13,7 +13,7 @@ from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.branch_curve import discs_on_branch
 from mashape_cad.medial.graph import Branch, MedialAxis
 
-__all__ = ["course", "off_branches", "runs"]
+__all__ = ["course", "doubt", "off_branches", "runs"]
 
 # Samples of each piece from which the search for the nearest disc starts, and its steps: a piece may go almost all of
 # its way in a thousandth of its parameter. Fewer could end too far away; never too near.
@@ -34,10 +34,15 @@ def course(axis: MedialAxis, branch: Branch, s: Floats) -> Floats:
     return np.column_stack([discs.centre, discs.radius])
 
 
-def off_branches(axis: MedialAxis, points: Floats, enough: float) -> Floats:
+def doubt(axis: MedialAxis, branch: Branch, s: Floats) -> Floats:
+    """Return the bounds of their errors that the discs of a branch state, (n,), mm."""
+    return discs_on_branch(axis, branch, s).error
+
+
+def off_branches(axis: MedialAxis, points: Floats, enough: Floats) -> Floats:
     """Return how far points (n, 3) are from a disc of any branch: the largest of three differences, mm.
 
-    The nearest disc, or one that is no further than `enough`.
+    The nearest disc, or one that is no further than `enough`, (n,).
     """
     if not axis.branches:
         return np.abs(points - np.append(axis.nodes.centre[0], axis.nodes.radius[0])).max(axis=1)
@@ -47,16 +52,18 @@ def off_branches(axis: MedialAxis, points: Floats, enough: float) -> Floats:
     order = np.argsort([apart[:, 0] for apart, _ in near], axis=0)
     best = np.full(len(points), np.inf)
     for row in order:
+        if np.all(best <= enough):
+            break
         for number, (branch, s, _) in enumerate(sampled):
             for start in s[near[number][1].T]:
                 here = np.flatnonzero((row == number) & (best > enough))
                 ends = np.maximum(start[here] - s[1], 0.0), np.minimum(start[here] + s[1], s[-1])
                 if len(here):
-                    best[here] = np.minimum(best[here], _nearest(axis, branch, points[here], ends, enough))
+                    best[here] = np.minimum(best[here], _nearest(axis, branch, points[here], ends, enough[here]))
     return best
 
 
-def _nearest(axis: MedialAxis, branch: Branch, points: Floats, ends: tuple[Floats, Floats], enough: float) -> Floats:
+def _nearest(axis: MedialAxis, branch: Branch, points: Floats, ends: tuple[Floats, Floats], enough: Floats) -> Floats:
     """Return how far each point is from the nearest disc found between two parameters of a branch.
 
     The nearest one is where the way to the point stands at right angles to the branch, in x, y and r; found by the rule

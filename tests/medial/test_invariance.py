@@ -3,28 +3,29 @@
 Branches are compared as curves along their whole length, both ways, to 1e-9 of the size.
 """
 
+import os
 from collections import Counter
 from collections.abc import Callable
 
 import numpy as np
 import pytest
 from catalogue import KNOWN, NAMED, profile_of
-from courses import off_branches, runs
+from courses import doubt, off_branches, runs
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import insert
 from strategies import profiles, similarities
 
 from mashape_cad import read
-from mashape_cad.geometry.edge import Arc, BSpline, Edge, Similarity
+from mashape_cad.geometry.edge import Arc, BSpline, Edge, Floats, Similarity
 from mashape_cad.geometry.profile import Loop, Profile
 from mashape_cad.medial.axis import medial_axis
 from mashape_cad.medial.graph import MedialAxis
 
 # Of the larger side of the bounding box.
 _ACCURACY = 1e-9
-# Discs of each piece that are compared, both its ends included.
-_PER_PIECE = 5
+# Discs of each piece that are compared, both its ends included, and the most that are compared of one axis.
+_PER_PIECE, _MOST = 5, 400
 
 
 def check_same(axis: MedialAxis, other: MedialAxis, pose: Similarity) -> None:
@@ -34,11 +35,21 @@ def check_same(axis: MedialAxis, other: MedialAxis, pose: Similarity) -> None:
     assert _joined(other, np.arange(len(other.nodes.degree))) == _joined(axis, numbers)
     inverse = np.linalg.inv(pose.matrix)
     for from_, to, there in ((axis, other, True), (other, axis, False)):
-        discs = np.concatenate([np.empty((0, 3)), *(discs for _, _, discs in runs(from_, _PER_PIECE - 1))])
+        discs, doubts = _some_discs(from_)
         centre = pose.apply(discs[:, :2]) if there else (discs[:, :2] - pose.offset) @ inverse.T
-        r = discs[:, 2] * (pose.scale if there else 1 / pose.scale)
-        limit = tol if there else tol / pose.scale
-        assert off_branches(to, np.column_stack([centre, r]), limit).max(initial=0.0) <= limit
+        scale, limit = (pose.scale, tol) if there else (1 / pose.scale, tol / pose.scale)
+        # Between sides that part by a millionth of a degree, a disc is known less well, and says so; on both axes.
+        limits = np.maximum(limit, 2 * doubts * scale)
+        assert np.all(off_branches(to, np.column_stack([centre, discs[:, 2] * scale]), limits) <= limits)
+
+
+def _some_discs(axis: MedialAxis) -> tuple[Floats, Floats]:
+    """Discs along all branches with their doubts, both ends of each piece among them; of many, some at random."""
+    along = [(discs, doubt(axis, branch, s)) for branch, s, discs in runs(axis, _PER_PIECE - 1)]
+    discs = np.concatenate([np.empty((0, 3)), *(discs for discs, _ in along)])
+    doubts = np.concatenate([np.empty(0), *(doubts for _, doubts in along)])
+    chosen = np.random.default_rng(len(discs)).permutation(len(discs))[:_MOST]
+    return discs[chosen], doubts[chosen]
 
 
 def _matched(axis: MedialAxis, other: MedialAxis, pose: Similarity, tol: float) -> np.ndarray:
@@ -196,28 +207,28 @@ def test_random_profiles(profile, changes, pose):
 
 @pytest.mark.slow
 @given(profiles(), _REDRAWN, similarities())
-@settings(_QUICK, max_examples=60)
+@settings(_QUICK, max_examples=60 if os.environ.get("MASHAPE_ALL") else 20)
 def test_many_random_profiles(profile, changes, pose):
-    """The same, twelve times as many."""
+    """The same, four to twelve times as many."""
     check_same(medial_axis(profile), medial_axis(_changed(profile, changes).transformed(pose)), pose)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["airplane-4", "bracket-2", "chassis-1", "ell-3", "rect-4"])
-def test_samples(name, freeform80):
+def test_samples(drawn, freeform80):
     """Outlines as they come from files."""
-    (profile, *_) = read(freeform80 / f"{name}.dxf").profiles
-    otherwise = _changed(profile, ["every edge split", "loops reversed", "another start", "knots inserted"])
-    pose = _POSES["a thousandth"]
-    check_same(medial_axis(profile), medial_axis(otherwise.transformed(pose)), pose)
+    for name in drawn(["airplane-4", "bracket-2", "chassis-1", "ell-3", "rect-4"], 2):
+        (profile, *_) = read(freeform80 / f"{name}.dxf").profiles
+        otherwise = _changed(profile, ["every edge split", "loops reversed", "another start", "knots inserted"])
+        pose = _POSES["a thousandth"]
+        check_same(medial_axis(profile), medial_axis(otherwise.transformed(pose)), pose)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("folder", ["glyphs40", "outlines30", "parts", "planted"])
-def test_real_files(folder, retrieval):
-    """Two of each set: the first, and one from the middle."""
-    files = sorted(path for path in (retrieval / folder).rglob("*") if path.suffix in {".dxf", ".step"})
-    for path in (files[0], files[len(files) // 2]):
+def test_real_files(drawn, retrieval):
+    """The first of each set, and one from its middle."""
+    folders = ("glyphs40", "outlines30", "parts", "planted")
+    sets = [sorted(p for p in (retrieval / name).rglob("*") if p.suffix in {".dxf", ".step"}) for name in folders]
+    for path in drawn([files[k] for files in sets for k in (0, len(files) // 2)], 3):
         (profile, *_) = read(path).profiles
         otherwise = _changed(profile, ["every edge split", "loops reversed", "another start"])
         pose = _POSES["ten thousand"]
