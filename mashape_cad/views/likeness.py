@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from mashape_cad.library.record import ProfileRecord
+from mashape_cad.library.thumbnail import branches_of, loops_of
 from mashape_cad.views.drawing import Floats
 
 if TYPE_CHECKING:
@@ -42,10 +43,7 @@ class Likeness:
     @classmethod
     def of_record(cls, record: ProfileRecord) -> "Likeness":
         """Unpack the light picture of a sidecar."""
-        light = record.thumbnail
-        loops = (np.array(loop, float).reshape(-1, 2) * light.pitch + light.corner for loop in light.loops)
-        branches = (np.array(run, float).reshape(-1, 3) * light.pitch + (*light.corner, 0.0) for run in light.branches)
-        return cls(tuple(loops), tuple(branches))
+        return cls(loops_of(record.thumbnail), branches_of(record.thumbnail))
 
     @classmethod
     def of_axis(cls, profile: "Profile", axis: "MedialAxis") -> "Likeness":
