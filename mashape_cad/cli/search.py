@@ -67,6 +67,9 @@ def search(
     The score says how sure it is that a hit is of QUERY's kind: 100 for the same outline, whatever its place, size and
     edges; docs/signature.md says how it was measured.
 
+    With --mode part the parts come first that contain most of QUERY's outline, in any place, size and sense; the
+    picture shows the portion on each.
+
     With --mode same each hit is laid over QUERY, and said to be identical, mirrored, scaled, modified or similar, with
     the largest distance between the two outlines and the share of their area that differs.
     """
@@ -94,7 +97,7 @@ def search(
         seconds = time.perf_counter() - started
         click.echo(messages.search_summary(query, asked.profile, len(matches), len(library.parts), seconds))
     else:
-        table.print_matches(matches, sys.stdout, compared=mode == "same")
+        table.print_matches(matches, sys.stdout, mode)
     if output is not None:
         from mashape_cad.views.page import write_sheet
 

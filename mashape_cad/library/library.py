@@ -2,12 +2,12 @@
 
 import shlex
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,9 @@ from mashape_cad.library.selection import comparable, profiles_of
 from mashape_cad.library.shapes import Shapes
 from mashape_cad.library.sidecar import UnknownVersionError, read_sidecar, sidecar_path
 from mashape_cad.options import PartOptions, SearchOptions
+
+if TYPE_CHECKING:
+    from mashape_cad.library.portions import Portions
 
 __all__ = ["Library", "Query"]
 
@@ -104,7 +107,8 @@ class Library:
         profile : int, optional
             Which profile of the query, from 0.
         options : SearchOptions, optional
-            In mode ``same`` each match has a `Match.relation`: its file is read again and compared with the query's.
+            In mode ``same`` each match has a `Match.relation`: its file is read again and compared with the query's. In
+            mode ``part`` each has a `Match.portion`, and the matches are ordered by its share.
 
         Returns
         -------
@@ -127,8 +131,11 @@ class Library:
     def matches(self, asked: Query, options: SearchOptions) -> Iterator[Match]:
         """Yield the parts that resemble a query, the nearest first, as `search` returns them.
 
-        In mode ``same`` each is compared with the query when its turn comes.
+        In mode ``same`` each is compared with the query when its turn comes; in mode ``part`` only parts that have a
+        portion of the query come at all.
         """
+        if options.mode == "part":
+            return self._containing(asked, options)
         if options.mode != "same":
             return self._ranked(asked, options)
         from mashape_cad.library.verification import verified  # noqa: PLC0415  (loads the kernel)
@@ -145,6 +152,25 @@ class Library:
         for rank, place in enumerate(np.sort(first).tolist(), start=1):
             row = order[place]
             yield self._match(rank, row, float(distances[row]), float(score[row]))
+
+    def _containing(self, asked: Query, options: SearchOptions) -> Iterator[Match]:
+        """Yield the parts that contain a portion of the query, the largest first; of equal ones the most alike."""
+        distances = self._rows.shapes.distances(asked.record.shape or ())
+        score = scores(distances)
+        order = self._order(asked, distances)
+        listed = set[int]()
+        for row, portion in self._portions.found(asked.record, order[self._passing(asked, options, score)[order]]):
+            if (part := int(self._rows.part[row])) not in listed:
+                listed.add(part)
+                match = self._match(len(listed), row, float(distances[row]), float(score[row]))
+                yield replace(match, portion=portion)
+
+    @cached_property
+    def _portions(self) -> "Portions":
+        """Made when it is asked for: it looks at every branch of the library."""
+        from mashape_cad.library.portions import Portions  # noqa: PLC0415  (loads scipy)
+
+        return Portions(self._rows.records)
 
     def _paper_distances(self, asked: Query, options: SearchOptions) -> Floats:
         weights = dict(zip(PAPER_VECTORS, options.weights or (1.0, 1.0, 1.0), strict=True))

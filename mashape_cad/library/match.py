@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from mashape_cad.library.record import ProfileRecord
+from mashape_cad.matching.portion import Portion
 from mashape_cad.matching.relation import Relation
 
 __all__ = ["Match"]
@@ -32,6 +33,8 @@ class Match:
         What it is to the query, if the two were laid over one another.
     unverified : str or None
         Why they could not be, if that was asked for.
+    portion : Portion or None
+        What it has of the query's outline, if that was asked for.
     """
 
     rank: int
@@ -42,3 +45,4 @@ class Match:
     score: float
     relation: Relation | None = None
     unverified: str | None = None
+    portion: Portion | None = None

@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mashape_cad.geometry.edge import Floats
+from mashape_cad.library.polylines import branches_of, loops_of
 from mashape_cad.library.record import ProfileRecord
-from mashape_cad.library.thumbnail import branches_of, loops_of
+from mashape_cad.matching.containing import Contour, common_portion
 from mashape_cad.matching.frames import Frames, frames
-from mashape_cad.matching.portion import Contour, Portion, common_portion
+from mashape_cad.matching.portion import Portion
 
 __all__ = ["Portions"]
 

@@ -13,7 +13,7 @@ from mashape_cad.geometry.edge import Edge, Floats, Line
 from mashape_cad.geometry.profile import Loop, Profile
 from mashape_cad.library.record import Thumbnail
 
-__all__ = ["branches_of", "exact_bounds", "loops_of", "thumbnail"]
+__all__ = ["exact_bounds", "thumbnail"]
 
 # 1/5000 of the larger side is finer than a screen is wide; a finer grid costs digits in every sidecar.
 GRID = 5000
@@ -52,16 +52,6 @@ def thumbnail(profile: Profile, bounds: Floats, branches: Sequence[Floats] = ())
         loops=tuple(_on_grid(ring) for ring in rings),
         branches=tuple(_on_grid(run) for run in runs),
     )
-
-
-def loops_of(light: Thumbnail) -> tuple[Floats, ...]:
-    """Return the loops of a light picture, each (n, 2), mm; the first point is not repeated."""
-    return tuple(np.array(loop, float).reshape(-1, 2) * light.pitch + light.corner for loop in light.loops)
-
-
-def branches_of(light: Thumbnail) -> tuple[Floats, ...]:
-    """Return the branches of a light picture, each (n, 3): x, y and radius, mm."""
-    return tuple(np.array(run, float).reshape(-1, 3) * light.pitch + (*light.corner, 0.0) for run in light.branches)
 
 
 def _flattened(loop: Loop) -> Floats:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from mashape_cad.library.polylines import branches_of, loops_of
 from mashape_cad.library.record import ProfileRecord
-from mashape_cad.library.thumbnail import branches_of, loops_of
 from mashape_cad.views.drawing import Floats
 
 if TYPE_CHECKING:

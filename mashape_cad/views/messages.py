@@ -11,6 +11,7 @@ import msgspec
 from mashape_cad.library.json_text import valid_text
 from mashape_cad.library.match import Match
 from mashape_cad.library.record import ProfileRecord
+from mashape_cad.matching.portion import Portion
 from mashape_cad.scanning import FileScanned, ScanSummary
 
 __all__ = [
@@ -60,7 +61,19 @@ def match_message(match: Match) -> str:
         size_mm=match.record.size,
         relation=match.relation and match.relation.kind,
         **(_comparison(match) if match.relation or match.unverified else {}),
+        **({"portion": _portion(match.portion)} if match.portion else {}),
     )
+
+
+def _portion(portion: Portion) -> dict[str, Any]:
+    """Return how much of the query a hit contains (mode part), and how the query lies on the hit there."""
+    (a, b), (c, d) = portion.placement.matrix.tolist()
+    return {
+        "share": portion.share,
+        "scale": portion.placement.scale,
+        "mirrored": portion.placement.mirrors,
+        "placement": (a, b, c, d, *portion.placement.offset.tolist()),
+    }
 
 
 def _comparison(match: Match) -> dict[str, Any]:

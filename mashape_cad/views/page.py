@@ -10,9 +10,10 @@ from pathlib import Path
 
 from mashape_cad.library.match import Match
 from mashape_cad.library.record import ProfileRecord
+from mashape_cad.matching.portion import Portion
 from mashape_cad.matching.relation import Relation
 from mashape_cad.views.colours import ACCENT, PAGE, PAPER, Theme
-from mashape_cad.views.drawing import Area, Drawing, Label, Placement, Shape, dimensions, printable, rectangle
+from mashape_cad.views.drawing import Area, Drawing, Label, Lines, Placement, Shape, dimensions, printable, rectangle
 from mashape_cad.views.html import html
 from mashape_cad.views.likeness import Likeness
 from mashape_cad.views.output import checked_suffix, write
@@ -37,6 +38,7 @@ class _Tile:
     record: ProfileRecord
     query: ProfileRecord | None = None
     relation: Relation | None = None
+    portion: Portion | None = None
     finding: str = ""
 
     @property
@@ -73,11 +75,14 @@ def write_sheet(out: Path, query: ProfileRecord, matches: Sequence[Match], name:
 
 def _tile(match: Match, query: ProfileRecord) -> _Tile:
     said, name = _finding(match), printable(match.path.name)
-    return _Tile(str(match.rank), name, _place(match), _facts(match), match.record, query, match.relation, said)
+    facts, place = _facts(match), _place(match)
+    return _Tile(str(match.rank), name, place, facts, match.record, query, match.relation, match.portion, said)
 
 
 def _finding(match: Match) -> str:
     found = match.relation
+    if match.portion is not None:
+        return f"contains {match.portion.share:.0%} of the query"
     if found is None:
         return "not compared" if match.unverified else ""
     return str(found)
@@ -106,6 +111,9 @@ def _explanation(tiles: Sequence[_Tile]) -> str:
     if any(tile.relation for tile in tiles):
         lines = "Each is laid over the query (thin line): what only one of the two covers is red"
         return f"{parts}. {lines}. Off by: the largest distance of the outlines."
+    if any(tile.portion for tile in tiles):
+        said = "the one that contains most of the query's outline first; that portion is drawn in colour"
+        return f"{'1 part' if len(tiles) == 1 else f'{len(tiles)} parts'}, {said}."
     axis = "The lines inside are the medial axis, brighter where there is more room"
     return f"{parts}. Distance 0 means equal signatures. {axis}."
 
@@ -126,6 +134,9 @@ def _picture(tile: _Tile, left: float, top: float, width: float, height: float, 
         return
     placement = Placement.fitting(likeness.bounds, *box)
     yield from outline(likeness, placement, theme, 1.1)
+    if tile.portion:
+        yield Lines(tuple(placement.apply(stretch) for stretch in tile.portion.stretches), ACCENT, 3.0)
+        return
     yield from axis_lines(likeness, placement, theme, 1.5)
 
 

@@ -1,6 +1,6 @@
 """Answers for people: matches as a table, certificates line by line."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TextIO
 
 from rich.console import Console
@@ -17,18 +17,18 @@ __all__ = ["certificate_line", "print_matches"]
 _UNBOUNDED = 10_000
 
 
-def print_matches(matches: Sequence[Match], stream: TextIO, *, compared: bool = False) -> None:
+def print_matches(matches: Sequence[Match], stream: TextIO, mode: str = "similar") -> None:
     """Print rank, part, profile, score, distance and size (width x height, mm) of each match.
 
-    `compared` with the query (mode same), also what it is to it and what says so.
+    In mode ``same`` also what it is to the query and what says so, in mode ``part`` how much of the query it contains.
     """
     console = Console(file=stream, width=None if stream.isatty() else _UNBOUNDED, highlight=False)
     table = Table(box=None, pad_edge=False, header_style="bold")
-    comparison = ("relation", "deviation (mm)", "area differs") if compared else ()
+    comparison, cells_of = _MORE.get(mode, ((), lambda _: ()))
     for heading in ("rank", "part", "profile", "score", "distance", "size (mm)", *comparison):
         table.add_column(heading, justify="left" if heading in ("part", "relation") else "right", overflow="fold")
     for match in matches:
-        cells = _row(match) + (_relation(match) if compared else ())
+        cells = *_row(match), *cells_of(match)
         table.add_row(*(Text(cell) for cell in cells))  # as text: a file name may look like markup
     console.print(table)
 
@@ -54,6 +54,20 @@ def _relation(match: Match) -> tuple[str, str, str]:
     if match.relation is None:
         return "not compared", "", ""
     return str(match.relation), f"{round(match.relation.deviation_mm, 6):.3g}", f"{match.relation.area_difference:.2%}"
+
+
+def _portion(match: Match) -> tuple[str, str]:
+    if match.portion is None:
+        return "", ""
+    placement = match.portion.placement
+    return f"{match.portion.share:.0%}", f"{placement.scale:.3g}" + (", mirrored" if placement.mirrors else "")
+
+
+# What more is told in some modes: the columns, and how they are filled.
+_MORE: dict[str, tuple[tuple[str, ...], Callable[[Match], tuple[str, ...]]]] = {
+    "same": (("relation", "deviation (mm)", "area differs"), _relation),
+    "part": (("contains", "scale"), _portion),
+}
 
 
 def _row(match: Match) -> tuple[str, ...]:

@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 from stand_ins import AXIS, REFUSED, face_record, profile_record
 
+from mashape_cad.geometry.edge import Similarity
 from mashape_cad.library.match import Match
+from mashape_cad.matching.portion import Portion
 from mashape_cad.matching.relation import Kind, Relation
 from mashape_cad.views.messages import certificate_message, match_message, readable
 
@@ -95,3 +97,15 @@ def test_a_match_that_could_not_be_compared_says_why():
     """The numbers are null."""
     message = _match(unverified="a.dxf: it is gone")
     assert (message["relation"], message["scale"], message["unverified"]) == (None, None, "a.dxf: it is gone")
+
+
+def test_a_portion_is_told_with_its_placement():
+    """How much, how large, turned over or not; six numbers lay the query on the hit."""
+    placement = Similarity.of(2.0, 0.0, (5.0, -1.0), mirror=True)
+    match = Match(1, Path("a.dxf"), 0, 0.5, profile_record(1), 12.0, portion=Portion(0.75, placement, ()))
+    assert json.loads(match_message(match))["portion"] == {
+        "share": 0.75,
+        "scale": pytest.approx(2.0),
+        "mirrored": True,
+        "placement": pytest.approx([2.0, 0.0, 0.0, -2.0, 5.0, -1.0]),
+    }

@@ -6,11 +6,15 @@ from dataclasses import replace
 from pathlib import Path
 
 import matplotlib.image
+import numpy as np
 import pytest
 
 from mashape_cad.errors import MashapeError
+from mashape_cad.geometry.edge import Similarity
 from mashape_cad.library.match import Match
+from mashape_cad.matching.portion import Portion
 from mashape_cad.matching.relation import Kind, Relation
+from mashape_cad.views.colours import ACCENT
 from mashape_cad.views.page import write_sheet
 
 NAMES = ("gear.dxf", "Träger <1> & Söhne.step", 'a"quoted".dxf', "odd\udce4.dxf")
@@ -144,3 +148,13 @@ def test_hits_that_were_compared_are_laid_over_the_query(plate, tmp_path):
     assert text.count('fill="var(--wrong)"') == 1
     write_sheet(tmp_path / "sheet.png", plate, matches, "query.dxf")
     assert (tmp_path / "sheet.png").stat().st_size > 1000
+
+
+def test_a_portion_is_drawn_on_the_hit(tmp_path, plate):
+    """In the colour of the query's frame, thick, with how much of the query it is."""
+    stretch = np.array([(0.0, 0.0), (10.0, 0.0), (10.0, 5.0)])
+    match = Match(1, Path("a.dxf"), 0, 0.5, plate, 12.0, portion=Portion(0.42, Similarity.of(), (stretch,)))
+    text = page(tmp_path, plate, [match])
+    assert "contains 42% of the query" in text
+    assert "that portion is drawn in colour" in text
+    assert ACCENT in text

@@ -6,16 +6,18 @@ from pathlib import Path
 
 from stand_ins import AXIS, face_record, profile_record
 
+from mashape_cad.geometry.edge import Similarity
 from mashape_cad.library.match import Match
+from mashape_cad.matching.portion import Portion
 from mashape_cad.matching.relation import Kind, Relation
 from mashape_cad.views.table import certificate_line, print_matches
 
 
-def _printed(*matches, width=None, compared=False):
+def _printed(*matches, width=None, mode="similar"):
     stream = io.StringIO()
     if width:
         stream.isatty = lambda: True
-    print_matches(matches, stream, compared=compared)
+    print_matches(matches, stream, mode)
     return stream.getvalue().splitlines()
 
 
@@ -26,7 +28,7 @@ def test_matches_in_order_with_size():
         Match(1, Path("a.dxf"), 0, 0.0, record, 100.0), Match(12, Path("dir/b.step"), 3, 1.23456, record, 7.4)
     )
     assert lines[1].split() == ["1", "a.dxf", "0", "100", "0.0000", "123.5", "x", "12"]
-    assert lines[2].split() == ["12", str(Path("dir/b.step")), "3", "1.2346", "123.5", "x", "12"]
+    assert lines[2].split() == ["12", str(Path("dir/b.step")), "3", "7", "1.2346", "123.5", "x", "12"]
 
 
 def test_a_long_name_is_not_cut_in_a_pipe():
@@ -54,6 +56,15 @@ def test_hits_that_were_compared_say_what_they_are():
     """With the numbers that justify it; one that could not be read says that."""
     relation = Relation(Kind.SCALED, 25.4, False, 1.234e-9, 0.00021, 1.0, 0.1, (1.0, 0.0, 0.0, 1.0, 0.0, 0.0))
     told = Match(1, Path("a.dxf"), 0, 0.0, profile_record(1), 100.0, relation=relation)
-    lines = _printed(told, Match(2, Path("b.dxf"), 0, 0.5, profile_record(1), 80.0, unverified="gone"), compared=True)
+    lines = _printed(told, Match(2, Path("b.dxf"), 0, 0.5, profile_record(1), 80.0, unverified="gone"), mode="same")
     assert lines[1].endswith("scaled by 25.4 (inch/mm?)               0         0.02%")
     assert lines[2].rstrip().endswith("not compared")
+
+
+def test_portions_in_columns_of_their_own():
+    """Mode part: how much of the query a part contains, how large, and whether turned over."""
+    placement = Similarity.of(1.25, 0.3, mirror=True)
+    match = Match(1, Path("a.dxf"), 0, 0.5, profile_record(1), 12.0, portion=Portion(0.737, placement, ()))
+    lines = _printed(match, mode="part")
+    assert lines[0].split()[-2:] == ["contains", "scale"]
+    assert lines[1].split()[-3:] == ["74%", "1.25,", "mirrored"]

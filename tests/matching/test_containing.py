@@ -2,25 +2,15 @@
 
 import numpy as np
 import pytest
-from catalogue import box, circle, polygon, profile_of
+from catalogue import box, circle, profile_of
+from hooks import bare, with_hook
 from lights import branches_of, loops_of
 
 from mashape_cad.geometry.edge import Similarity
 from mashape_cad.geometry.profile import Profile
+from mashape_cad.matching.containing import Contour, common_portion
 from mashape_cad.matching.frames import frames
-from mashape_cad.matching.portion import Contour, Portion, common_portion
-
-# A hook that hangs on something at (0, 0) and (0, 2): from its foot to its tip and back.
-_HOOK = [(0, 2), (-9, 2), (-9, -4), (-5, -4), (-5, -3), (-7.2, -2), (-7.2, 0), (0, 0)]
-_BODIES = {
-    "block": [(0, -3), (7, -3), (7, 6), (0, 6)],
-    "flag": [(0, -8), (2, -8), (5, -1), (11, 3), (4, 4), (0, 3.5)],
-    "comb": [(0, -1), (2, -1), (2, -5), (3, -5), (3, -1), (5, -1), (5, -5), (6, -5), (6, 3), (0, 3)],
-}
-
-
-def _with_hook(body: str) -> Profile:
-    return Profile.of(polygon([*_HOOK, *_BODIES[body]]))
+from mashape_cad.matching.portion import Portion
 
 
 def _common(query: Profile, hit: Profile) -> Portion | None:
@@ -60,7 +50,7 @@ def test_an_outline_contains_itself(name, pose):
 def test_parts_with_the_same_hook(one, other):
     """It is found on another body, in its place and size, and nothing else is taken for common."""
     pose = Similarity.of(1.8, 0.9, (40, -3))
-    found = _common(_with_hook(one), _with_hook(other).transformed(pose))
+    found = _common(with_hook(one), with_hook(other).transformed(pose))
     assert found is not None
     assert found.placement.scale == pytest.approx(1.8, rel=5e-3)
     back = np.linalg.inv(pose.matrix)
@@ -74,12 +64,12 @@ def test_parts_with_the_same_hook(one, other):
 
 def test_the_hook_counts_for_what_it_is():
     """Half of the length and half of the turning of the block's outline are the hook's; little is shared without it."""
-    query = _with_hook("block")
-    hooked = _common(query, _with_hook("comb"))
-    bare = _common(query, Profile.of(polygon(_BODIES["comb"])))
+    query = with_hook("block")
+    hooked = _common(query, with_hook("comb"))
+    alone = _common(query, bare("comb"))
     assert hooked is not None
     assert hooked.share == pytest.approx(0.5, abs=0.06)  # a corner where it ends belongs to it by half
-    assert bare is None or bare.share < 0.35
+    assert alone is None or alone.share < 0.35
 
 
 def test_what_has_no_branch_has_no_portion():
