@@ -204,10 +204,10 @@ class SearchOptions:
 
     mode: str = _option(
         "similar",
-        "similar: in the order of the default signatures. same: besides, each hit is laid over QUERY and compared "
-        "exactly. part: by how much of QUERY's outline each contains. paper: in the order of the paper's functions DF, "
-        "RF and CF.",
-        choices=("similar", "same", "part", "paper"),
+        "similar: in the order of the default signatures. reranked: besides, what resembles the best hits rises. same: "
+        "in the order of similar, and each hit is laid over QUERY and compared exactly. part: by how much of QUERY's "
+        "outline each contains. paper: in the order of the paper's functions DF, RF and CF.",
+        choices=("similar", "reranked", "same", "part", "paper"),
     )
     weights: tuple[float, float, float] | None = _option(
         None, "How much DF, RF and CF count in --mode paper; not given, alike.", low=0.0, high=1e6

@@ -11,16 +11,15 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
-from mashape_cad.signatures.diffusion import reranked
 
 from mashape_cad.errors import MashapeError
 from mashape_cad.evaluation.measures import Protocol, means, measures
-from mashape_cad.evaluation.modes import summed
+from mashape_cad.evaluation.modes import reordered, summed
 from mashape_cad.medial.axis import MedialAxis, medial_axis
 from mashape_cad.reading.reader import read
 from mashape_cad.signatures import paper
 from mashape_cad.signatures.constants import Constants, shipped
-from mashape_cad.signatures.shape import described, mapped, packed, unpacked
+from mashape_cad.signatures.shape import described, mapped, whole
 from mashape_cad.signatures.spokes import STEPS, THICKNESS, spokes
 
 SETS = ("outlines30", "glyphs40", "parts")
@@ -40,14 +39,6 @@ def apart(rows: np.ndarray) -> np.ndarray:
     """Return the Euclidean distances of all pairs of rows."""
     squared = (rows**2).sum(axis=1)
     return np.sqrt(np.maximum(squared[:, None] + squared - 2 * rows @ rows.T, 0.0))
-
-
-def ranks(rows: np.ndarray) -> np.ndarray:
-    """Return the places of all shapes in each query's re-ranked order."""
-    out = np.empty((len(rows), len(rows)))
-    for number, row in enumerate(rows):
-        out[number, reranked(row, rows)] = np.arange(len(rows))
-    return out
 
 
 def channels(parts: Rows, constants: Constants, chosen: tuple[int, ...]) -> np.ndarray:
@@ -74,20 +65,19 @@ def default_rungs(shapes: list[MedialAxis]) -> Iterator[tuple[str, np.ndarray]]:
         return [np.array(each) for each in rows]
 
     found = parts(STEPS, THICKNESS)
-    names = ("boundary contexts", "axis contexts", "angular spectrum")
+    names = ("boundary contexts", "axis contexts", "the whole")
     for name, rows in zip(names, found, strict=True):
         yield f"{name}, {rows.shape[1]} numbers, no metric", apart(rows)
     for k, name in enumerate(names):
         yield f"{name}, metric", apart(channels(found, constants, (k,)))
     yield "both contexts", apart(channels(found, constants, (0, 1)))
-    whole = mapped(tuple(found), constants)
-    yield "all three", apart(whole)
+    vectors = mapped(tuple(found), constants)
+    yield "all three", apart(vectors)
     for steps, thickness in ((STEPS // 2, THICKNESS), (STEPS, 0.0), (STEPS, THICKNESS / 2), (STEPS, THICKNESS * 2)):
         other = mapped(tuple(parts(steps, thickness)), constants)
         yield f"{steps} steps, erosion thickness {thickness:g}", apart(other)
-    kept = np.array([unpacked(packed(row)) for row in whole])
-    yield "default: all three in 256 bytes", apart(kept)
-    yield "default, re-ranked", ranks(kept)
+    yield "default: all three in 256 bytes", apart(whole(vectors))
+    yield "default, re-ranked", reordered({"shape": whole(vectors)})
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -12,9 +12,9 @@ from mashape_cad.signatures.contexts import AXIS, BOUNDARY, ContextKind, axis_co
 from mashape_cad.signatures.learned_metric import LearnedMetric
 from mashape_cad.signatures.spokes import Spokes
 
-# Numbers of the two contexts and of the spectrum, and how much they count; 256 together.
-NUMBERS = (110, 116, 30)
-WEIGHTS = (0.7, 1.0, 0.6)
+# Numbers of the two contexts and of the summary of the whole, and how much they count; 256 together.
+NUMBERS = (108, 108, 40)
+WEIGHTS = (1.0, 1.0, 0.6)
 WORDS = 128
 DIRECTIONS = 40
 # Contexts from which words are learned, so many of one shape.
@@ -22,7 +22,7 @@ CONTEXTS, OF_ONE = 40_000, 40
 ROUNDS = 25
 # Of the metric: directions of greatest variance that are looked at, how far differences within groups are evened out
 # (1 would be whitening), and what is added to their scatter as a share of its mean.
-LOOKED_AT = 300
+LOOKED_AT = 600
 EVENED = 1.2
 REGULAR = 0.03
 
@@ -39,7 +39,7 @@ def learned(known: Constants, parts: Sequence[np.ndarray], groups: np.ndarray, r
 
 
 def metrics(parts: Sequence[np.ndarray], groups: np.ndarray, rng: np.random.Generator) -> tuple[LearnedMetric, ...]:
-    """Learn the metrics of both contexts and of the spectrum."""
+    """Learn the metrics of both contexts and of the summary of the whole."""
     return tuple(
         metric(part, groups, numbers, weight, rng)
         for part, numbers, weight in zip(parts, NUMBERS, WEIGHTS, strict=True)

@@ -147,7 +147,10 @@ class Library:
         score = scores(shape_distances)
         distances = shape_distances if options.mode != "paper" else self._paper_distances(asked, options)
         passing = self._passing(asked, options, score)
-        order = [row for row in self._order(asked, distances).tolist() if passing[row]]
+        ranked = self._order(asked, distances)
+        if options.mode == "reranked":
+            ranked = self._reranked(asked, ranked)
+        order = [row for row in ranked.tolist() if passing[row]]
         _, first = np.unique(self._rows.part[order], return_index=True)
         for rank, place in enumerate(np.sort(first).tolist(), start=1):
             row = order[place]
@@ -171,6 +174,17 @@ class Library:
         from mashape_cad.library.portions import Portions  # noqa: PLC0415  (loads scipy)
 
         return Portions(self._rows.records)
+
+    def _reranked(self, asked: Query, order: NDArray[np.intp]) -> NDArray[np.intp]:
+        """Return rows that are in plain order by their neighbours' neighbours as well; the query's own entry first."""
+        from mashape_cad.library.neighbours import SHORTLIST, reranked  # noqa: PLC0415  (loads scipy)
+
+        own, chosen, rest = order[:0], order[:SHORTLIST], order[SHORTLIST:]
+        if self._is_asked(asked)[chosen[0]]:
+            own, chosen = chosen[:1], chosen[1:]
+        rows = np.vstack([np.asarray(asked.record.shape, dtype=np.float32), self._rows.shapes.rows[chosen]])
+        places = reranked(Shapes.of(rows).pairs(), 0)
+        return np.concatenate([own, chosen[places[1:] - 1], rest])
 
     def _paper_distances(self, asked: Query, options: SearchOptions) -> Floats:
         weights = dict(zip(PAPER_VECTORS, options.weights or (1.0, 1.0, 1.0), strict=True))
@@ -265,10 +279,14 @@ class Library:
         """Return the rows, nearest first; of equal ones the query's own file first, then by name, then by number."""
         rows = self._rows
         is_foreign = rows.part != self._own_part(asked.path)
-        is_asked = ~is_foreign & (rows.profile == asked.profile)
+        is_asked = self._is_asked(asked)
         taking_part = np.flatnonzero(rows.stands_for_part | is_asked)
         keys = (rows.profile, ~is_asked, rows.part, is_foreign, distances)  # the last one counts most
         return taking_part[np.lexsort([key[taking_part] for key in keys])]
+
+    def _is_asked(self, asked: Query) -> NDArray[np.bool_]:
+        """Return whether each row is the very profile that is asked with."""
+        return (self._rows.part == self._own_part(asked.path)) & (self._rows.profile == asked.profile)
 
     def _own_part(self, path: Path | None) -> int:
         """Return which part is the query's own file, -1 if none."""

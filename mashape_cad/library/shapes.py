@@ -42,3 +42,8 @@ class Shapes:
         asked = np.asarray(signature, dtype=np.float32)
         squared = self.squares + (asked @ asked - 2 * (self.rows @ asked))
         return np.sqrt(squared, dtype=np.float64) / UNIT
+
+    def pairs(self) -> Floats:
+        """Return the distances of all pairs, (n, n)."""
+        squared = self.squares[:, None] + self.squares - 2 * (self.rows @ self.rows.T)
+        return np.sqrt(squared, dtype=np.float64) / UNIT

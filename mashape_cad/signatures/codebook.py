@@ -21,10 +21,10 @@ Singles = NDArray[np.float32]
 
 # Width of the soft share, in the spread of contexts about their words: narrower, and noise decides between two words;
 # wider, and all words say the same.
-_WIDTH = 1.0
+_WIDTH = 0.5
 # Sums are raised to this power, so that what is frequent does not drown the rest. Less, and what is next to nothing
 # counts: it is noise.
-_POWER = 0.7
+_POWER = 0.6
 
 
 @dataclass(frozen=True, slots=True, eq=False)

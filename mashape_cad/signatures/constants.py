@@ -29,12 +29,12 @@ class Constants:
     boundary, axis : Codebook
         Words of the two contexts.
     metrics : tuple of LearnedMetric
-        Of boundary contexts and axis contexts.
+        Of boundary contexts, axis contexts, and the summary of the whole.
     """
 
     boundary: Codebook
     axis: Codebook
-    metrics: tuple[LearnedMetric, LearnedMetric]
+    metrics: tuple[LearnedMetric, LearnedMetric, LearnedMetric]
 
 
 @cache
@@ -65,7 +65,9 @@ def read_constants(stream: IO[bytes]) -> Constants:
         )
         for name in _METRICS
     ]
-    return Constants(_codebook(arrays, "boundary", BOUNDARY), _codebook(arrays, "axis", AXIS), (metrics[0], metrics[1]))
+    return Constants(
+        _codebook(arrays, "boundary", BOUNDARY), _codebook(arrays, "axis", AXIS), (metrics[0], metrics[1], metrics[2])
+    )
 
 
 def write_constants(stream: IO[bytes], constants: Constants) -> None:
@@ -82,7 +84,7 @@ def write_constants(stream: IO[bytes], constants: Constants) -> None:
     np.savez_compressed(stream, **arrays)  # type: ignore[arg-type]
 
 
-_METRICS = ("boundary_metric", "axis_metric")
+_METRICS = ("boundary_metric", "axis_metric", "whole_metric")
 
 
 def _codebook(arrays: dict[str, np.ndarray], name: str, kind: ContextKind) -> Codebook:

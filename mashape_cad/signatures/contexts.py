@@ -69,52 +69,27 @@ def mirror(kind: ContextKind) -> Ints:
 
 def _context(place: Floats, apart: Floats, shape: Spokes, kind: ContextKind) -> Floats:
     mean = float(shape.weight @ apart @ shape.weight)
-    # Logarithms and angles are taken by numpy, which is several times as fast at them as compiled loops.
     scaled = apart / (mean if mean > 0.0 else 1.0)
-    ring = np.log(np.maximum(scaled, _NEAR) / _NEAR) * ((kind.distances - 1) / math.log(_FAR / _NEAR))
-    np.minimum(ring, kind.distances - 1, out=ring)
-    across = place[None] - place[:, None]
-    way = np.arctan2(across[:, :, 1], across[:, :, 0])
-    heading = np.arctan2(shape.direction[:, 1], shape.direction[:, 0])
-    return np.sqrt(
-        _histograms(
-            ring,
-            np.minimum(scaled / _NEAR, 1.0),
-            way / (2 * np.pi),
-            heading / (2 * np.pi),
-            shape.weight,
-            kind.distances,
-            kind.directions,
-            kind.turns,
-        )
-    )
+    heading = np.arctan2(shape.direction[:, 1], shape.direction[:, 0]) / (2 * np.pi)
+    return np.sqrt(_histograms(scaled, place, heading, shape.weight, kind.distances, kind.directions, kind.turns))
 
 
 @compiled
 def _histograms(
-    ring: Floats,
-    seen: Floats,
-    way: Floats,
-    heading: Floats,
-    weight: Floats,
-    distances: int,
-    directions: int,
-    turns: int,
+    apart: Floats, place: Floats, heading: Floats, weight: Floats, distances: int, directions: int, turns: int
 ) -> Floats:
     """Count all around each place, bilinearly; each row sums to 1.
 
     Parameters
     ----------
-    ring : (n, n) array
-        Where in the steps of distance each other lies.
-    seen : (n, n) array
-        How much its direction counts.
-    way : (n, n) array
-        Its direction, in full turns.
+    apart : (n, n) array
+        Distances, in mean distances.
+    place : (n, 2) array
     heading : (n,) array
         Directions of the spokes, in full turns.
     """
     n = len(weight)
+    per_ring = (distances - 1) / math.log(_FAR / _NEAR)
     out = np.zeros((n, distances, directions, turns))
     near = np.zeros(turns)
     for s in range(n):
@@ -125,18 +100,19 @@ def _histograms(
             y0 = int(y)
             y, y0 = y - y0, y0 % turns
             y1 = (y0 + 1) % turns
-            unseen = weight[t] * (1.0 - seen[s, t])
+            unseen = weight[t] * (1.0 - min(apart[s, t] / _NEAR, 1.0))
             near[y0] += unseen * (1.0 - y)
             near[y1] += unseen * y
             if unseen == weight[t]:
                 continue
-            x = way[s, t] - heading[s]
+            x = _direction(place[t, 0] - place[s, 0], place[t, 1] - place[s, 1]) - heading[s]
             x = (x - math.floor(x)) * directions
             x0 = int(x)
             x, x0 = x - x0, x0 % directions
             x1 = (x0 + 1) % directions
-            u0 = min(int(ring[s, t]), distances - 2)
-            u = ring[s, t] - u0
+            u = min(math.log(max(apart[s, t] / _NEAR, 1.0)) * per_ring, distances - 1.0)
+            u0 = min(int(u), distances - 2)
+            u -= u0
             b = (weight[t] - unseen) * u
             a = weight[t] - unseen - b
             out[s, u0, x0, y0] += a * (1.0 - x) * (1.0 - y)
@@ -152,3 +128,24 @@ def _histograms(
             for m in range(turns):
                 out[s, 0, k, m] += near[m] / directions
     return out.reshape(n, distances * directions * turns)
+
+
+@compiled
+def _direction(x: float, y: float) -> float:
+    """Return the direction of a vector in full turns, good to 2e-6; several times as fast as the arc tangent.
+
+    References
+    ----------
+    M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, formula 4.4.49.
+    """
+    a, b = abs(x), abs(y)
+    if a == b == 0.0:
+        return 0.0
+    q = min(a, b) / max(a, b)
+    z = q * q
+    angle = q * (0.9998660 + z * (-0.3302995 + z * (0.1801410 + z * (-0.0851330 + z * 0.0208351)))) / (2 * math.pi)
+    if b > a:
+        angle = 0.25 - angle
+    if x < 0.0:
+        angle = 0.5 - angle
+    return -angle if y < 0.0 else angle

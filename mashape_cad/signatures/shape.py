@@ -2,7 +2,7 @@
 
 1. Spokes at equal steps along the boundary, to the significant part of the medial axis (`spokes`).
 2. How the rest lies seen from each, on the boundary and on the axis (`contexts`), summed up against a code book
-   (`codebook`).
+   (`codebook`); and what can be said of the whole without places on it (`whole`).
 3. A learned map (`learned_metric`) to 256 numbers.
 
 ``docs/signature.md`` says why, and what each part gains.
@@ -19,6 +19,7 @@ from mashape_cad.signatures.constants import VERSION, Constants, shipped
 from mashape_cad.signatures.contexts import axis_context, boundary_context
 from mashape_cad.signatures.spokes import STEPS, Spokes, spokes
 from mashape_cad.signatures.vectors import Signature
+from mashape_cad.signatures.whole import summary
 
 __all__ = ["NAME", "NORM", "SIZE", "described", "mapped", "signature", "whole"]
 
@@ -50,11 +51,12 @@ def signature(axis: MedialAxis, steps: int = STEPS) -> Signature:
     return Signature(NAME, VERSION, MappingProxyType({"shape": vector}))
 
 
-def described(shape: Spokes, constants: Constants) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return boundary contexts and axis contexts, each summed up."""
+def described(shape: Spokes, constants: Constants) -> tuple[NDArray[np.float32], ...]:
+    """Return boundary contexts and axis contexts, each summed up, and the summary of the whole."""
     return (
         constants.boundary.described(boundary_context(shape), shape.weight),
         constants.axis.described(axis_context(shape), shape.weight),
+        summary(shape).astype(np.float32),
     )
 
 

@@ -42,6 +42,8 @@ class Spokes:
         Unit vector from foot to centre: the inward normal, but for what has been retracted.
     geodesic : (n, n) array
         Distances of the centres along the axis.
+    area : float
+        Of the domain.
     """
 
     foot: Floats
@@ -50,6 +52,7 @@ class Spokes:
     radius: Floats
     direction: Floats
     geodesic: Floats
+    area: float
 
 
 def spokes(axis: MedialAxis, steps: int = STEPS, thickness: float = THICKNESS) -> Spokes:
@@ -73,7 +76,13 @@ def spokes(axis: MedialAxis, steps: int = STEPS, thickness: float = THICKNESS) -
     length = np.hypot(*spoke.T)[:, None]
     direction = np.where(length > _NO_LENGTH, spoke / np.maximum(length, _NO_LENGTH), boundary.normal)
     return Spokes(
-        boundary.point, boundary.weight, point[:, :2].copy(), point[:, 2].copy(), direction, geodesics(places, discs)
+        boundary.point,
+        boundary.weight,
+        point[:, :2].copy(),
+        point[:, 2].copy(),
+        direction,
+        geodesics(places, discs),
+        boundary.area,
     )
 
 
@@ -81,7 +90,7 @@ def _of_disc(axis: MedialAxis, boundary: BoundarySteps) -> Spokes:
     n = len(boundary.t)
     centre = np.tile((axis.discs.centre[0] - axis.frame.middle) / axis.frame.size, (n, 1))
     radius = np.full(n, axis.discs.radius[0] / axis.frame.size)
-    return Spokes(boundary.point, boundary.weight, centre, radius, boundary.normal, np.zeros((n, n)))
+    return Spokes(boundary.point, boundary.weight, centre, radius, boundary.normal, np.zeros((n, n)), boundary.area)
 
 
 @compiled

@@ -81,12 +81,12 @@ def test_the_class_table_says_what_was_measured(small):
 
 
 def test_times_are_added_up(small):
-    """Five shapes of 4, 2, 1 and half a second."""
+    """Five shapes of 4, 2, 1/4, 1 and half a second."""
     [grid] = [grid for grid in grids(small) if grid.title == "Running times"]
     shown = [row[2] for row in grid.rows]
-    assert shown[:3] == ["20.00", "10.00", "5.00"]
-    assert shown[4] == "2.50"
-    assert float(shown[-1]) == pytest.approx(15 + float(shown[3]), abs=0.02)
+    assert shown[:4] == ["20.00", "10.00", "1.25", "5.00"]
+    assert shown[5] == "2.50"
+    assert float(shown[-1]) == pytest.approx(16.25 + float(shown[4]), abs=0.02)
 
 
 def test_without_trials_there_is_neither_sampling_nor_times(small):
@@ -207,7 +207,7 @@ def test_the_page_has_tables_and_sheets(small, tmp_path):
     assert "<b>" not in text
     assert "<b>&" in page.texts
     assert page.tags.count("table") == len(grids(small))
-    drawn = ["paper-df", "paper-rf", "paper-cf", "paper-all", "default"]
+    drawn = ["paper-df", "paper-rf", "paper-cf", "paper-all", "default", "reranked"]
     hits = [f"{kind}-hits-{mode}" for mode in drawn for kind in ("first", "all")]
     assert page.ids == ["database", *hits, "axes", "signatures"]
     assert "of the paper" not in text.split("<main>")[1].split("<details")[1]
@@ -246,7 +246,7 @@ def test_sheets_name_the_figures_they_follow(paper_set):
 def test_every_sheet_becomes_a_png(small, tmp_path):
     """In a folder that is made for them."""
     written = write_pictures(tmp_path / "new" / "sheets", small)
-    assert len(written) == 13
+    assert len(written) == 15
     assert all(path.read_bytes().startswith(b"\x89PNG") for path in written)
 
 
