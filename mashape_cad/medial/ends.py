@@ -33,6 +33,7 @@ from mashape_cad.medial.faces import (
     add_contact,
     add_disc,
     blank_faces,
+    disc_at,
     on_contact,
     settled_discs,
 )
@@ -127,7 +128,7 @@ def _settle_arcs(tour: Tour, faces: Faces) -> bool:
             faces.used[:] = 0
             add_contact(faces, add_disc(faces, x, y, r, ARC, tol), first, 0.0, first, 0.0)
             return True
-        number = _same_arc_disc(faces, x, y, r)
+        number = disc_at(faces, x, y, r, _SAME_CIRCLE)  # of another arc on the circle
         if number >= 0:
             faces.settled[number].tol = max(faces.settled[number].tol, tol)
         else:
@@ -223,18 +224,6 @@ def _off_circle(tour: Tour, first: int, last: int, x: float, y: float, r: float)
         if e == last:
             return worst
         e = tour.element[e].after
-
-
-@compiled
-def _same_arc_disc(faces: Faces, x: float, y: float, r: float) -> int:
-    """Return the disc of another arc on the same circle; -1 if there is none."""
-    for k in range(faces.used[DISCS]):
-        if (
-            math.hypot(faces.settled[k].x - x, faces.settled[k].y - y) <= _SAME_CIRCLE
-            and abs(faces.settled[k].r - r) <= _SAME_CIRCLE
-        ):
-            return k
-    return -1
 
 
 @compiled

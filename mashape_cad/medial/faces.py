@@ -54,6 +54,7 @@ __all__ = [
     "blank_faces",
     "corner",
     "cycle",
+    "disc_at",
     "distinct_faces",
     "gap_at",
     "insert",
@@ -178,6 +179,15 @@ def add_disc(faces: Faces, x: float, y: float, r: float, kind: int, tol: float) 
     faces.settled[number].kind, faces.settled[number].tol = kind, tol
     faces.used[DISCS] = number + 1
     return number
+
+
+@compiled
+def disc_at(faces: Faces, x: float, y: float, r: float, near: float) -> int:
+    """Return the first disc whose centre and radius are as near as that to these; -1 if there is none."""
+    for k in range(faces.used[DISCS]):
+        if math.hypot(faces.settled[k].x - x, faces.settled[k].y - y) <= near and abs(faces.settled[k].r - r) <= near:
+            return k
+    return -1
 
 
 @compiled

@@ -18,6 +18,7 @@ from mashape_cad.medial.faces import (
     add_contact,
     add_disc,
     blank_faces,
+    disc_at,
     on_contact,
     settled_discs,
 )
@@ -64,7 +65,7 @@ def _settle_link(tour: Tour, faces: Faces, loop: int, up_x: float, up_y: float) 
     x, y, r, ok, count, element, place_t = maximal_disc(tour, e, t)
     if not ok or count == 0:
         return False
-    number = _settled(faces, x, y, r)
+    number = disc_at(faces, x, y, r, _SAME_DISC)
     known = faces.used[CONTACTS]
     if number < 0:
         number, known = add_disc(faces, x, y, r, STATION, TOUCH), 0
@@ -74,18 +75,6 @@ def _settle_link(tour: Tour, faces: Faces, loop: int, up_x: float, up_y: float) 
         _add_lacking(tour, faces, number, known, element[k], place_t[k])
         clear = clear and not (place_t[k] == 0.0 and tour.element[element[k]].convex)
     return clear
-
-
-@compiled
-def _settled(faces: Faces, x: float, y: float, r: float) -> int:
-    """Return the disc that is this one; -1 if there is none."""
-    for k in range(faces.used[DISCS]):
-        if (
-            math.hypot(faces.settled[k].x - x, faces.settled[k].y - y) <= _SAME_DISC
-            and abs(faces.settled[k].r - r) <= _SAME_DISC
-        ):
-            return k
-    return -1
 
 
 @compiled
