@@ -39,11 +39,12 @@ def doubt(axis: MedialAxis, branch: Branch, s: Floats) -> Floats:
     return discs_on_branch(axis, branch, s).error
 
 
-def off_branches(axis: MedialAxis, points: Floats, enough: Floats) -> Floats:
+def off_branches(axis: MedialAxis, points: Floats, enough: Floats | float) -> Floats:
     """Return how far points (n, 3) are from a disc of any branch: the largest of three differences, mm.
 
-    The nearest disc, or one that is no further than `enough`, (n,).
+    The nearest disc, or one that is no further than `enough`, one for all or (n,).
     """
+    enough = np.broadcast_to(enough, len(points))
     if not axis.branches:
         return np.abs(points - np.append(axis.nodes.centre[0], axis.nodes.radius[0])).max(axis=1)
     sampled = list(runs(axis, _PER_PIECE))
