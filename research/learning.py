@@ -13,8 +13,8 @@ from mashape_cad.signatures.learned_metric import LearnedMetric
 from mashape_cad.signatures.spokes import Spokes
 
 # Numbers of the two contexts and of the summary of the whole, and how much they count; 256 together.
-NUMBERS = (108, 108, 40)
-WEIGHTS = (1.0, 1.0, 0.6)
+NUMBERS = (104, 104, 48)
+WEIGHTS = (1.0, 1.1, 0.7)
 WORDS = 128
 DIRECTIONS = 40
 # Contexts from which words are learned, so many of one shape.
@@ -23,7 +23,7 @@ ROUNDS = 25
 # Of the metric: directions of greatest variance that are looked at, how far differences within groups are evened out
 # (1 would be whitening), and what is added to their scatter as a share of its mean.
 LOOKED_AT = 600
-EVENED = 1.2
+EVENED = 1.1
 REGULAR = 0.03
 
 

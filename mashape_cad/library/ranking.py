@@ -11,15 +11,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["PAPER_VECTORS", "Stack"]
+__all__ = ["PAPER_VECTORS", "Floats", "Singles", "Stack", "rising"]
 
 Floats = NDArray[np.float64]
+Singles = NDArray[np.float32]
 
 # In the order in which weights are given.
 PAPER_VECTORS = ("df", "rf", "cf")
 # Medians are taken over all pairs of at most so many profiles: half a million pairs, some tenths of a second. Of a
 # larger library every n-th profile is taken, in the order of names, so that the same library gives the same distances.
 _MOST_FOR_MEDIAN = 1000
+_HALF = 32
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,6 +62,20 @@ class Stack:
             for name, rows in self.vectors.items()
         ]
         return np.sum(parts, axis=0)
+
+
+def rising(values: Floats | Singles) -> NDArray[np.intp]:
+    """Return the order in which values of 0 and more rise, equal ones as they stand.
+
+    Of single precision in a fifth of the time: their bits rise with them, and with the place in the lower half of one
+    whole number they are sorted at once.
+    """
+    if values.dtype != np.float32:
+        return np.argsort(values, kind="stable")
+    bits = (values + np.float32(0.0)).view(np.int32).astype(np.int64)
+    both = (bits << _HALF) | np.arange(len(values))
+    both.sort()
+    return both & ((1 << _HALF) - 1)
 
 
 def _median_distance(rows: Floats) -> float:

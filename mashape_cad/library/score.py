@@ -5,7 +5,7 @@
 
 import numpy as np
 
-from mashape_cad.library.ranking import Floats
+from mashape_cad.library.ranking import Floats, Singles
 
 __all__ = ["scores"]
 
@@ -13,11 +13,11 @@ __all__ = ["scores"]
 _HALF, _WIDTH = 0.99, 0.08
 
 
-def scores(distances: Floats) -> Floats:
+def scores(distances: Floats | Singles) -> Floats:
     """Return the scores of distances between default signatures: 100 at 0, falling to 0.
 
     A score is the share of pairs at that distance that belong together, in labelled sets of which 3 to 8 pairs in a
     hundred do.
     """
-    odds, most = np.exp((_HALF - np.asarray(distances)) / _WIDTH), np.exp(_HALF / _WIDTH)
+    odds, most = np.exp((_HALF - np.asarray(distances, dtype=np.float64)) / _WIDTH), np.exp(_HALF / _WIDTH)
     return 100 * (odds / (1 + odds)) * ((1 + most) / most)

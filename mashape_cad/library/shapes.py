@@ -4,9 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from mashape_cad.library.ranking import Floats
+from mashape_cad.library.ranking import Floats, Singles
 
 __all__ = ["UNIT", "Shapes"]
 
@@ -28,8 +27,8 @@ class Shapes:
         Of their norms.
     """
 
-    rows: NDArray[np.float32]
-    squares: NDArray[np.float32]
+    rows: Singles
+    squares: Singles
 
     @classmethod
     def of(cls, signatures: Sequence[Sequence[float]] | Floats) -> "Shapes":
@@ -37,11 +36,11 @@ class Shapes:
         rows = np.array(signatures, dtype=np.float32)
         return cls(rows, (rows**2).sum(axis=1))
 
-    def distances(self, signature: Sequence[float] | NDArray[np.float32]) -> Floats:
+    def distances(self, signature: Sequence[float] | Singles) -> Singles:
         """Return the Euclidean distance of one signature to each, (n,): from 0, exactly so to an equal one, to 2."""
         asked = np.asarray(signature, dtype=np.float32)
         squared = self.squares + (asked @ asked - 2 * (self.rows @ asked))
-        return np.sqrt(squared, dtype=np.float64) / UNIT
+        return (np.sqrt(squared) / np.float32(UNIT)).astype(np.float32, copy=False)
 
     def pairs(self) -> Floats:
         """Return the distances of all pairs, (n, n)."""

@@ -52,8 +52,9 @@ AXIS = ContextKind(6, 12, 1)
 
 def boundary_context(shape: Spokes) -> Floats:
     """Return the contexts seen from the feet: (n, 288), square roots of shares, rows of norm 1."""
-    across = shape.foot[None] - shape.foot[:, None]
-    return _context(shape.foot, np.sqrt((across**2).sum(axis=2)), shape, BOUNDARY)
+    x, y = shape.foot.T
+    apart = np.sqrt((x[:, None] - x) ** 2 + (y[:, None] - y) ** 2)
+    return _context(shape.foot, apart, shape, BOUNDARY)
 
 
 def axis_context(shape: Spokes) -> Floats:
@@ -91,43 +92,63 @@ def _histograms(
     n = len(weight)
     per_ring = (distances - 1) / math.log(_FAR / _NEAR)
     out = np.zeros((n, distances, directions, turns))
-    near = np.zeros(turns)
+    near = np.zeros((n, turns))
     for s in range(n):
-        near[:] = 0.0
-        for t in range(n):
-            y = heading[t] - heading[s]
-            y = (y - math.floor(y)) * turns
-            y0 = int(y)
-            y, y0 = y - y0, y0 % turns
-            y1 = (y0 + 1) % turns
-            unseen = weight[t] * (1.0 - min(apart[s, t] / _NEAR, 1.0))
-            near[y0] += unseen * (1.0 - y)
-            near[y1] += unseen * y
-            if unseen == weight[t]:
-                continue
-            x = _direction(place[t, 0] - place[s, 0], place[t, 1] - place[s, 1]) - heading[s]
-            x = (x - math.floor(x)) * directions
-            x0 = int(x)
-            x, x0 = x - x0, x0 % directions
-            x1 = (x0 + 1) % directions
-            u = min(math.log(max(apart[s, t] / _NEAR, 1.0)) * per_ring, distances - 1.0)
-            u0 = min(int(u), distances - 2)
-            u -= u0
-            b = (weight[t] - unseen) * u
-            a = weight[t] - unseen - b
-            out[s, u0, x0, y0] += a * (1.0 - x) * (1.0 - y)
-            out[s, u0, x0, y1] += a * (1.0 - x) * y
-            out[s, u0, x1, y0] += a * x * (1.0 - y)
-            out[s, u0, x1, y1] += a * x * y
-            out[s, u0 + 1, x0, y0] += b * (1.0 - x) * (1.0 - y)
-            out[s, u0 + 1, x0, y1] += b * (1.0 - x) * y
-            out[s, u0 + 1, x1, y0] += b * x * (1.0 - y)
-            out[s, u0 + 1, x1, y1] += b * x * y
-        # What is too near to be seen in a direction is seen in all.
+        _count_near(near[s], 0.0, weight[s])
+        for t in range(s):
+            seen = min(apart[s, t] / _NEAR, 1.0)
+            turn = heading[t] - heading[s]
+            if seen < 1.0:
+                _count_near(near[s], turn, weight[t] * (1.0 - seen))
+                _count_near(near[t], -turn, weight[s] * (1.0 - seen))
+                if seen == 0.0:
+                    continue
+            way = _direction(place[t, 0] - place[s, 0], place[t, 1] - place[s, 1])
+            ring = min(math.log(max(apart[s, t] / _NEAR, 1.0)) * per_ring, distances - 1.0)
+            _count(out[s], ring, way - heading[s], turn, weight[t] * seen)
+            _count(out[t], ring, way + 0.5 - heading[t], -turn, weight[s] * seen)
+    # What is too near to be seen in a direction is seen in all.
+    for s in range(n):
         for k in range(directions):
             for m in range(turns):
-                out[s, 0, k, m] += near[m] / directions
+                out[s, 0, k, m] += near[s, m] / directions
     return out.reshape(n, distances * directions * turns)
+
+
+@compiled
+def _count(bins: Floats, ring: float, way: float, turn: float, weight: float) -> None:
+    """Share a weight among the eight bins next to a place of the histogram; `way` and `turn` in full turns."""
+    distances, directions, turns = bins.shape
+    u0 = min(int(ring), distances - 2)
+    b = weight * (ring - u0)
+    a = weight - b
+    x = (way - math.floor(way)) * directions
+    x0 = int(x)
+    x, x0 = x - x0, x0 % directions
+    x1 = x0 + 1 if x0 + 1 < directions else 0
+    y = (turn - math.floor(turn)) * turns
+    y0 = int(y)
+    y, y0 = y - y0, y0 % turns
+    y1 = y0 + 1 if y0 + 1 < turns else 0
+    bins[u0, x0, y0] += a * (1.0 - x) * (1.0 - y)
+    bins[u0, x0, y1] += a * (1.0 - x) * y
+    bins[u0, x1, y0] += a * x * (1.0 - y)
+    bins[u0, x1, y1] += a * x * y
+    bins[u0 + 1, x0, y0] += b * (1.0 - x) * (1.0 - y)
+    bins[u0 + 1, x0, y1] += b * (1.0 - x) * y
+    bins[u0 + 1, x1, y0] += b * x * (1.0 - y)
+    bins[u0 + 1, x1, y1] += b * x * y
+
+
+@compiled
+def _count_near(bins: Floats, turn: float, weight: float) -> None:
+    """Share a weight between two turns."""
+    turns = len(bins)
+    y = (turn - math.floor(turn)) * turns
+    y0 = int(y)
+    y, y0 = y - y0, y0 % turns
+    bins[y0] += weight * (1.0 - y)
+    bins[(y0 + 1) % turns] += weight * y
 
 
 @compiled

@@ -51,3 +51,11 @@ def test_profile_of_a_shape():
     done = _run("medial_axis.py", "--profile", "L")
     assert done.returncode == 0, done.stderr
     assert "tottime" in done.stdout
+
+
+def test_ranking():
+    """A query in a small library; the first line is what it is measured beside."""
+    done = _run("ranking.py", "--profiles", 200)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.startswith("numpy's matrix product: ")
+    assert len(done.stdout.splitlines()) == 3

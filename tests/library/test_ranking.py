@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from mashape_cad.library import ranking
-from mashape_cad.library.ranking import Stack
+from mashape_cad.library.ranking import Stack, rising
 
 
 def _signature(*vectors):
@@ -61,3 +61,20 @@ def test_large_libraries_are_sampled_alike_each_time(monkeypatch, count):
     chosen = rows[np.linspace(0, count - 1, 10).astype(int)]
     many, few = ([_signature(row, row) for row in each] for each in (rows, chosen))
     assert Stack.of(many).scales == Stack.of(many).scales == Stack.of(few).scales
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, 1000])
+@pytest.mark.parametrize("different", [1, 7, 10**9])
+def test_equal_values_keep_their_order(count, different):
+    """As a stable sort leaves them."""
+    values = np.random.default_rng(count).integers(0, different, count) / 3
+    for each in (values, values.astype(np.float32)):
+        assert rising(each).tolist() == np.argsort(each, kind="stable").tolist()
+
+
+def test_weights_are_factors_of_the_functions():
+    """What weighs nothing is not looked at."""
+    stack = Stack.of([{"df": (0.0,), "rf": (0.0,)}, {"df": (1.0,), "rf": (5.0,)}])
+    asked = {"df": (0.0,), "rf": (0.0,)}
+    assert stack.distances(asked).tolist() == [0.0, 2.0]
+    assert stack.distances(asked, {"df": 0.0, "rf": 3.0}).tolist() == [0.0, 3.0]

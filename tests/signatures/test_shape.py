@@ -140,7 +140,7 @@ def test_holes_show_softly():
 def test_the_constants_are_those_of_this_version():
     """Whoever changes them raises the version: the file is known by its hash."""
     content = files("mashape_cad.signatures").joinpath(FILE).read_bytes()
-    assert hashlib.blake2b(content, digest_size=8).hexdigest() == "219d4e74472e8a90"
+    assert hashlib.blake2b(content, digest_size=8).hexdigest() == "edca4e2c3e61994b"
     assert len(content) < 1_300_000
     assert sum(metric.unit.size for metric in shipped().metrics) == SIZE
 
