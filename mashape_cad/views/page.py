@@ -46,7 +46,7 @@ class _Tile:
 
 
 def write_sheet(out: Path, query: ProfileRecord, matches: Sequence[Match], name: str = "the query") -> None:
-    """Draw a query and its matches, each with outline, medial axis, rank, name, distance and size.
+    """Draw a query and its matches, each with outline, medial axis, rank, name, score and size.
 
     A match that was compared with the query is laid over it, with the relation and what differs.
 
@@ -84,7 +84,7 @@ def _finding(match: Match) -> str:
 
 
 def _facts(match: Match) -> str:
-    facts = f"distance {match.distance:.3f} · {_size(match.record)}"
+    facts = f"score {match.score:.0f} · {_size(match.record)}"
     if match.relation is None:
         return facts
     off = f"off by {round(match.relation.deviation_mm, 6):.2g} mm"
@@ -107,7 +107,7 @@ def _explanation(tiles: Sequence[_Tile]) -> str:
         lines = "Each is laid over the query (thin line): what only one of the two covers is red"
         return f"{parts}. {lines}. Off by: the largest distance of the outlines."
     axis = "The lines inside are the medial axis, brighter where there is more room"
-    return f"{parts}. Distance 0 means equal signatures. {axis}."
+    return f"{parts}. A score of 100 means equal signatures. {axis}."
 
 
 def _html(query: _Tile, tiles: Sequence[_Tile]) -> str:
