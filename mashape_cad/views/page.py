@@ -48,7 +48,7 @@ class _Tile:
 
 
 def write_sheet(out: Path, query: ProfileRecord, matches: Sequence[Match], name: str = "the query") -> None:
-    """Draw a query and its matches, each with outline, medial axis, rank, name, distance and size.
+    """Draw a query and its matches, each with outline, medial axis, rank, name, score and size.
 
     A match that was compared with the query is laid over it, with the relation and what differs.
 
@@ -89,7 +89,7 @@ def _finding(match: Match) -> str:
 
 
 def _facts(match: Match) -> str:
-    facts = f"distance {match.distance:.3f} · {_size(match.record)}"
+    facts = f"score {match.score:.0f} · {_size(match.record)}"
     if match.relation is None:
         return facts
     off = f"off by {round(match.relation.deviation_mm, 6):.2g} mm"
@@ -115,7 +115,7 @@ def _explanation(tiles: Sequence[_Tile]) -> str:
         said = "the one that contains most of the query's outline first; that portion is drawn in colour"
         return f"{'1 part' if len(tiles) == 1 else f'{len(tiles)} parts'}, {said}."
     axis = "The lines inside are the medial axis, brighter where there is more room"
-    return f"{parts}. Distance 0 means equal signatures. {axis}."
+    return f"{parts}. A score of 100 means equal signatures. {axis}."
 
 
 def _html(query: _Tile, tiles: Sequence[_Tile]) -> str:

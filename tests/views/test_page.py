@@ -63,12 +63,12 @@ def page(tmp_path, *arguments):
 
 
 def test_the_query_comes_first_and_matches_follow_in_order(plate, matches, tmp_path):
-    """With rank, name, distance and size."""
+    """With rank, name, score and size."""
     shown = Reader(page(tmp_path, plate, matches, "query.dxf"))
     assert shown.of("rank") == ["query", "1", "2", "3", "4"]
     assert shown.of("name") == ["query.dxf", *NAMES[:3], "odd\ufffd.dxf"]
-    assert shown.of("facts")[:2] == ["50.0 × 20.0 mm", "distance 0.000 · 50.0 × 20.0 mm"]
-    assert shown.of("facts")[4] == "distance 0.750 · 50.0 × 20.0 mm"
+    assert shown.of("facts")[:2] == ["50.0 × 20.0 mm", "score 50 · 50.0 × 20.0 mm"]
+    assert shown.of("facts")[4] == "score 50 · 50.0 × 20.0 mm"
     assert shown.of("h1") == ["Parts like query.dxf"]
 
 
@@ -77,7 +77,7 @@ def test_every_part_is_drawn_and_described(plate, matches, tmp_path):
     shown = Reader(page(tmp_path, plate, matches, "query.dxf"))
     spoken = [value for tag, name, value in shown.attributes if (tag, name) == ("svg", "aria-label")]
     assert len(spoken) == 5
-    assert spoken[2] == "2: Träger <1> & Söhne.step, distance 0.250 · 50.0 × 20.0 mm"
+    assert spoken[2] == "2: Träger <1> & Söhne.step, score 50 · 50.0 × 20.0 mm"
 
 
 def test_names_cannot_break_out(plate, matches, tmp_path):
