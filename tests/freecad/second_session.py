@@ -27,7 +27,7 @@ def script(stage):
     stage.check("settings survive into a second process", window.names()[:1] == ["part-07.step"], window.code)
     stage.keep()
     with open(os.path.join(OUT, "processes"), "w") as file:
-        file.write("{} {}\n".format(os.getpid(), window.dock._helper._process.processId()))
+        file.write(f"{os.getpid()} {window.dock._helper._process.processId()}\n")
     yield stage.wait_for(lambda: False)
 
 

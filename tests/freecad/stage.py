@@ -59,13 +59,13 @@ class Stage:
                 self._awaited = next(self._script)
         except StopIteration:
             self._leave(0)
-        except Exception:  # whatever it is, it is the result
+        except Exception:  # noqa: BLE001  (whatever it is, it is the result)
             self.check("the session runs to its end", False, traceback.format_exc())
             self._leave(1)
 
     def _give_up_late(self):
         time.sleep(DEADLINE)
-        self.check("the session runs to its end", False, "no end after {} s".format(DEADLINE))
+        self.check("the session runs to its end", False, f"no end after {DEADLINE} s")
         self._leave(3)
 
     def keep(self):
@@ -103,7 +103,7 @@ class Window:
         """As a user does; what the macro defines is kept."""
         self.macro = {"__name__": "__main__", "__file__": MACRO}
         with open(MACRO, encoding="utf-8") as file:
-            exec(compile(file.read(), MACRO, "exec"), self.macro)
+            exec(compile(file.read(), MACRO, "exec"), self.macro)  # noqa: S102  (as FreeCAD runs it)
 
     @property
     def docks(self):
@@ -157,6 +157,7 @@ class Window:
         """The four events that make one."""
         results = self.part("results")
         results.setCurrentRow(row)
+        results.scrollToItem(results.item(row))  # lays out what was added just now
         centre = QtCore.QPointF(results.visualItemRect(results.item(row)).center())
         left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoModifier
         kinds = (
@@ -192,7 +193,7 @@ def screenshot(name):
 def is_alive(process):
     """Tell whether there is such a process, one that has ended and was not waited for left out."""
     try:
-        with open("/proc/{}/stat".format(process)) as file:
+        with open(f"/proc/{process}/stat") as file:
             return file.read().rpartition(")")[2].split()[0] != "Z"
     except OSError:
         return False
