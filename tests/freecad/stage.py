@@ -34,6 +34,7 @@ class Stage:
     def __init__(self, name):
         self._name = name
         self._checks = []
+        self._began = time.monotonic()
         self._timer = QtCore.QTimer(interval=10)
         self._timer.timeout.connect(self._step)
         self.pulse = Pulse()
@@ -44,9 +45,11 @@ class Stage:
         self._script, self._awaited = script(self), lambda: True
         QtCore.QTimer.singleShot(500, self._timer.start)
 
-    def check(self, name, passed, detail=""):
-        """Put one result on record."""
-        self._checks.append({"name": name, "passed": bool(passed), "detail": str(detail)})
+    def check(self, name, passed, detail="", timed=False):
+        """Put one result on record; a timed one says something only if the machine has nothing else to do."""
+        seconds = round(time.monotonic() - self._began, 1)
+        about = {"name": name, "passed": bool(passed), "detail": str(detail), "timed": timed, "at": seconds}
+        self._checks.append(about)
 
     def wait_for(self, condition, seconds=PATIENCE):
         """Return what a script yields to wait until a condition holds, or too long."""
