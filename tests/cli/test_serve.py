@@ -167,7 +167,11 @@ def test_greets_with_the_version_of_the_protocol(start):
 
 @pytest.mark.skipif(os.name == "nt", reason="Ctrl-C goes another way there")
 def test_ends_quietly_on_ctrl_c(start):
-    """A CAD program started in a terminal passes it on."""
+    """A CAD program started in a terminal passes it on.
+
+    Python aborted here, because a thread was waiting in its stream of stdin; and a signal that came just when the
+    process began to wait for a request was not heard.
+    """
     plugin = start()
     plugin.hear_until("ready")
     plugin.process.send_signal(signal.SIGINT)

@@ -157,19 +157,14 @@ class Window:
         return [row for row in range(results.count()) if not _shows_something(results.item(row).icon())]
 
     def double_click(self, row):
-        """The four events that make one."""
+        """Click, then double click: FreeCAD 1.1 swallows the very first press of a mouse that has not moved before."""
         results = self.part("results")
         results.setCurrentRow(row)
         results.scrollToItem(results.item(row))  # lays out what was added just now
         centre = QtCore.QPointF(results.visualItemRect(results.item(row)).center())
         left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoModifier
-        kinds = (
-            QtCore.QEvent.MouseButtonPress,
-            QtCore.QEvent.MouseButtonRelease,
-            QtCore.QEvent.MouseButtonDblClick,
-            QtCore.QEvent.MouseButtonRelease,
-        )
-        for kind in kinds:
+        press, release = QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease
+        for kind in (press, release, press, release, QtCore.QEvent.MouseButtonDblClick, release):
             event = QtGui.QMouseEvent(kind, centre, left, left, none)
             QtWidgets.QApplication.sendEvent(results.viewport(), event)
 
