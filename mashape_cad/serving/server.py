@@ -164,7 +164,7 @@ class _Server:
 
     def _matches(self, request: Search, library: Library, asked: Query, options: SearchOptions) -> Iterator[Match]:
         total = min(request.count, len(library.parts))
-        stage = "ranking" if options.mode == "similar" else "comparing"
+        stage = "comparing" if options.mode == "same" else "ranking"
         self._progress(request.id, stage, 0, total)
         for done, match in enumerate(islice(library.matches(asked, options), request.count), start=1):
             self._turns.check()

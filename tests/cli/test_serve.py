@@ -252,7 +252,7 @@ def test_search_with_the_text_of_a_drawing(parts, plugin):
     messages = plugin.ask("search", **_search(parts, {"dxf": text}, count=2))
     assert _kinds(messages) == ["library", "query", "match", "match", "summary"]
     assert Path(_matches(messages)[0]["path"]).name == "angle.dxf"
-    assert _matches(messages)[0]["distance"] < 1e-6
+    assert _matches(messages)[0]["score"] >= 99
     assert messages[-1]["query"] is None
 
 
@@ -270,6 +270,14 @@ def test_search_with_the_text_of_a_shape(parts, plugin, tmp_path, reverse, relat
     messages = plugin.ask("search", **_search(parts, query, count=1, options={"mode": "same"}))
     (match,) = _matches(messages)
     assert (Path(match["path"]).name, match["relation"], match["mirrored"]) == ("angle.dxf", relation, reverse)
+
+
+def test_search_with_an_option_of_search(parts, plugin):
+    """Every one of them is an option here, by the same name."""
+    query = {"file": str(parts / "angle.dxf")}
+    assert len(_matches(plugin.ask("search", **_search(parts, query, options={"min_score": 99.0})))) == 1
+    *_, error = plugin.ask("search", **_search(parts, query, options={"min_score": 101.0}))
+    assert (error["code"], "min_score" in error["text"]) == ("request", True)
 
 
 def test_pictures_come_with_the_answer(parts, plugin):

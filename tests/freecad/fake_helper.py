@@ -39,6 +39,6 @@ for line in sys.stdin:
         time.sleep(1000)
     if behaviour == "many" and request["request"] == "search":
         for rank in range(1, 201):
-            about = {"rank": rank, "path": f"/parts/{rank}.step", "distance": rank / 10, "size_mm": [10.0, 20.0]}
+            about = {"rank": rank, "path": f"/parts/{rank}.step", "score": 100 - rank / 2, "size_mm": [10.0, 20.0]}
             say(message_type="match", id=request["id"], thumbnail=pictures[rank % 5], **about)
         say(message_type="summary", id=request["id"], matches=200, parts=200, seconds=0.1)

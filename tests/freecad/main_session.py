@@ -112,14 +112,13 @@ def is_first(name):
     if window.code != "ok" or not window.rows:
         return False
     best = window.rows[0]
-    sure = best["score"] >= SCORE if "score" in best else best["distance"] < 0.05
-    return os.path.basename(best["path"]) == name and sure
+    return os.path.basename(best["path"]) == name and best["score"] >= SCORE
 
 
 def found():
     """What came of a search, in short."""
     first = window.rows[0] if window.rows else {}
-    shown = {key: first.get(key) for key in ("score", "distance", "relation", "mirrored") if key in first}
+    shown = {key: first.get(key) for key in ("score", "relation", "mirrored") if key in first}
     return f"{window.code} {window.names()[:2]} {shown}"
 
 
@@ -137,7 +136,7 @@ def first_answer(stage, model):
     stage.check("first answer at most 6 s after a cold start", in_time, f"{seconds:.1f} s", timed=True)
     stage.check("a face finds its part first", is_first("part-07.step"), found())
     stage.check("every row has a picture", window.rows and not window.blank_pictures(), window.blank_pictures())
-    scores = [row.get("score", -row["distance"]) for row in window.rows]
+    scores = [row["score"] for row in window.rows]
     stage.check("scores fall", scores == sorted(scores, reverse=True) and len(set(scores)) > 1, scores[:4])
     stage.check("the query has a picture", not window.part("query").pixmap().isNull())
     began = time.monotonic()
@@ -151,6 +150,11 @@ def first_answer(stage, model):
 def selections(stage, model):
     """All that may be selected."""
     edges = [(model.wires, f"Edge{number + 1}") for number in range(len(model.wires.Shape.Edges))]
+    window.part("mode").setCurrentIndex(2)
+    yield stage.wait_for(window.search())
+    contained = is_first("part-07.step") and "contains 100" in window.part("results").item(0).text()
+    stage.check("parts that contain it: first the part itself", contained, found())
+    window.part("mode").setCurrentIndex(0)
     cases = [
         ("a whole body", "part-07.step", [model.plate]),
         ("a sketch", "part-02.dxf", [model.sketch]),
@@ -472,7 +476,7 @@ def imports(stage, model):
 
 def put_row(path):
     """Add a row, as an answer does."""
-    window.dock._hear_match({"path": path, "distance": 0.0, "size_mm": [1, 1]})
+    window.dock._hear_match({"path": path, "score": 100.0, "size_mm": [1, 1]})
     return window.part("results").count() - 1
 
 
