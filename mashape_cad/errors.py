@@ -3,6 +3,8 @@
 Every message is one line that says what is wrong and, after a semicolon or dash, what to do about it.
 """
 
+from pathlib import Path
+
 __all__ = [
     "AxisError",
     "InvalidProfileError",
@@ -65,7 +67,19 @@ class SidecarError(MashapeError):
 
 
 class LibraryError(MashapeError):
-    """A folder holds no usable sidecars, or sidecars that cannot be compared with one another."""
+    """A folder holds no usable sidecars, or sidecars that cannot be compared with one another.
+
+    Parameters
+    ----------
+    text : str
+        The message.
+    scan : tuple of Path
+        The folders that a scan would mend; empty if none would.
+    """
+
+    def __init__(self, text: str, scan: tuple[Path, ...] = ()) -> None:
+        super().__init__(text)
+        self.scan = scan
 
 
 class QueryError(MashapeError):

@@ -16,6 +16,7 @@ from mashape_cad.cli.certify import certify
 from mashape_cad.cli.evaluate import evaluate
 from mashape_cad.cli.scan import scan
 from mashape_cad.cli.search import search
+from mashape_cad.cli.serve import serve
 from mashape_cad.cli.show import show
 from mashape_cad.errors import MashapeError
 from mashape_cad.version import __version__
@@ -38,7 +39,7 @@ def commands() -> None:
     """
 
 
-for _command in (scan, search, show, axis, certify, evaluate):
+for _command in (scan, search, show, axis, certify, evaluate, serve):
     commands.add_command(_command)
 
 

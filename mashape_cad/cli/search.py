@@ -75,7 +75,7 @@ def search(
     """
     from mashape_cad.library.folders import check_file
     from mashape_cad.library.library import Library
-    from mashape_cad.views import messages, table
+    from mashape_cad.views import table
 
     started = time.perf_counter()
     if no_mirror and mode != "same":
@@ -92,10 +92,11 @@ def search(
     asked = library.query(query, profile)
     matches = _found(library, asked, count, options, quiet)
     if as_json:
-        for match in matches:
-            click.echo(messages.match_message(match))
-        seconds = time.perf_counter() - started
-        click.echo(messages.search_summary(query, asked.profile, len(matches), len(library.parts), seconds))
+        from mashape_cad.views.answer import answer_lines
+
+        parts = len(library.parts)
+        for line in answer_lines(matches, query=query, profile=asked.profile, parts=parts, started=started):
+            click.echo(line)
     else:
         table.print_matches(matches, sys.stdout, mode)
     if output is not None:

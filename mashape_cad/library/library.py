@@ -260,7 +260,7 @@ class Library:
         if not files:
             raise LibraryError(f"{names}: no part files in it; give a folder of DXF, STEP or BREP files")
         if not known:
-            raise LibraryError(f"{names}: not scanned yet; run: {self._scan_command()}")
+            raise LibraryError(f"{names}: not scanned yet; run: {self._scan_command()}", self.folders)
         raise LibraryError(f"{names}: no profile that can be compared; to see why, run: {self._scan_command()} --json")
 
     def _common_options(self) -> PartOptions:
@@ -268,7 +268,8 @@ class Library:
         if len(shaped) > 1 or next(iter(shaped))[:2] != (CURRENT_SIGNATURE, CURRENT_SHAPE):
             raise LibraryError(
                 "its sidecars were made with other signatures or options, so that their distances mean nothing; "
-                f"run: {self._scan_command()}"
+                f"run: {self._scan_command()}",
+                self.folders,
             )
         return next(iter(shaped))[2]
 

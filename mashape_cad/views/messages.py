@@ -19,6 +19,7 @@ __all__ = [
     "certify_summary",
     "file_message",
     "match_message",
+    "message",
     "readable",
     "scan_summary",
     "search_summary",
@@ -30,11 +31,17 @@ def readable(path: Path) -> str:
     return valid_text(str(path))
 
 
-def file_message(event: FileScanned) -> str:
-    """Return the line of one scanned file."""
+def message(message_type: str, **fields: Any) -> str:
+    """Return the line of a message of any kind."""
+    return msgspec.json.encode({"message_type": message_type, **fields}).decode()
+
+
+def file_message(event: FileScanned, **more: Any) -> str:
+    """Return the line of one scanned file; here and below `more` are fields that only the caller knows."""
     sidecar = event.sidecar
-    return _line(
+    return message(
         "file",
+        **more,
         path=readable(event.path),
         status=event.status,
         profiles=len(sidecar.profiles) if sidecar else 0,
@@ -44,15 +51,16 @@ def file_message(event: FileScanned) -> str:
     )
 
 
-def scan_summary(summary: ScanSummary) -> str:
+def scan_summary(summary: ScanSummary, **more: Any) -> str:
     """Return the last line of a scan."""
-    return _line("summary", **msgspec.to_builtins(summary))
+    return message("summary", **more, **msgspec.to_builtins(summary))
 
 
-def match_message(match: Match) -> str:
+def match_message(match: Match, **more: Any) -> str:
     """Return the line of one match; `relation` is null unless the hit was compared with the query (mode same)."""
-    return _line(
+    return message(
         "match",
+        **more,
         rank=match.rank,
         path=readable(match.path),
         profile=match.profile,
@@ -92,15 +100,22 @@ def _comparison(match: Match) -> dict[str, Any]:
     }
 
 
-def search_summary(query: Path, profile: int | None, matches: int, parts: int, seconds: float) -> str:
-    """Return the last line of a search: which profile of the query it was, how many parts took part."""
-    return _line("summary", query=readable(query), profile=profile, matches=matches, parts=parts, seconds=seconds)
+def search_summary(
+    query: Path | None, profile: int | None, matches: int, parts: int, seconds: float, **more: Any
+) -> str:
+    """Return the last line of a search: which profile of the query it was, how many parts took part.
+
+    `query` is null if it did not come from a file.
+    """
+    label = None if query is None else readable(query)
+    counts = {"matches": matches, "parts": parts, "seconds": seconds}
+    return message("summary", **more, query=label, profile=profile, **counts)
 
 
 def certificate_message(path: Path, profile: int, record: ProfileRecord) -> str:
     """Return the line of one profile; `reason` says why it is not ok; without an axis the figures are null."""
     axis, refused = record.axis, record.refused
-    return _line(
+    return message(
         "certificate",
         path=readable(path),
         profile=profile,
@@ -129,7 +144,7 @@ def certificate_message(path: Path, profile: int, record: ProfileRecord) -> str:
 
 def certify_summary(path: Path, profiles: int, ok: int, seconds: float) -> str:
     """Return the last line of a certification."""
-    return _line("summary", path=readable(path), profiles=profiles, ok=ok, seconds=seconds)
+    return message("summary", path=readable(path), profiles=profiles, ok=ok, seconds=seconds)
 
 
 def _doubt(record: ProfileRecord) -> str | None:
@@ -143,7 +158,3 @@ def _doubt(record: ProfileRecord) -> str | None:
     if axis.cycles != record.holes:
         return f"the axis has {axis.cycles} cycles around {record.holes} holes"
     return "the errors are too large, or junctions and ends do not agree in number"
-
-
-def _line(message_type: str, **fields: Any) -> str:
-    return msgspec.json.encode({"message_type": message_type, **fields}).decode()
