@@ -13,12 +13,35 @@ os.environ["MPLBACKEND"] = "Agg"
 # What is drawn at random anew in every run; set it to repeat one. Workers of one run inherit it.
 _SEED = os.environ.setdefault("MASHAPE_SEED", str(time.time_ns() % 2**32))
 
+# A slow test with at least so many parameters tries a share of them in each run: all together they take an hour.
+_MANY, _SHARE = 6, 1 / 3
+
 _REPOSITORY = Path(__file__).parent.parent
 
 
 def pytest_report_header():
     """Tell how to repeat what is drawn at random."""
     return f"MASHAPE_SEED={_SEED} (MASHAPE_ALL=1 tries all that is drawn from)"
+
+
+@pytest.hookimpl(trylast=True)  # when pytest's own options have chosen
+def pytest_collection_modifyitems(config, items):
+    """Leave out some parameters of slow tests with many, drawn anew in every run, unless all are asked for."""
+    if os.environ.get("MASHAPE_ALL"):
+        return
+    families = {}
+    for item in items:
+        if item.get_closest_marker("slow"):
+            families.setdefault((item.path, item.originalname), []).append(item)
+    draw = np.random.default_rng(int(_SEED))
+    left_out = [
+        family[k]
+        for family in families.values()
+        if len(family) >= _MANY
+        for k in draw.permutation(len(family))[int(np.ceil(_SHARE * len(family))) :]
+    ]
+    config.hook.pytest_deselected(items=left_out)
+    items[:] = [item for item in items if item not in left_out]
 
 
 def _folder_of(variable: str) -> Path:
