@@ -10,7 +10,7 @@ from mashape_cad.library.ranking import Floats, Singles
 __all__ = ["scores"]
 
 # The distance at which half of the pairs belong together, and the distance over which the odds change by a factor of e.
-_HALF, _WIDTH = 0.99, 0.08
+_HALF, _WIDTH = 0.97, 0.08
 
 
 def scores(distances: Floats | Singles) -> Floats:
