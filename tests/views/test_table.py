@@ -26,7 +26,7 @@ def test_matches_in_order_with_size():
         Match(1, Path("a.dxf"), 0, 0.0, record, 100.0), Match(12, Path("dir/b.step"), 3, 1.23456, record, 7.4)
     )
     assert lines[1].split() == ["1", "a.dxf", "0", "100", "0.0000", "123.5", "x", "12"]
-    assert lines[2].split() == ["12", str(Path("dir/b.step")), "3", "1.2346", "123.5", "x", "12"]
+    assert lines[2].split() == ["12", str(Path("dir/b.step")), "3", "7", "1.2346", "123.5", "x", "12"]
 
 
 def test_a_long_name_is_not_cut_in_a_pipe():
