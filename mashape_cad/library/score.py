@@ -10,7 +10,7 @@ from mashape_cad.library.ranking import Floats, Singles
 __all__ = ["scores"]
 
 # The distance at which half of the pairs belong together, and the distance over which the odds change by a factor of e.
-_HALF, _WIDTH = 0.99, 0.08
+_HALF, _WIDTH = 0.97, 0.08
 
 
 def scores(distances: Floats | Singles) -> Floats:
@@ -19,5 +19,8 @@ def scores(distances: Floats | Singles) -> Floats:
     A score is the share of pairs at that distance that belong together, in labelled sets of which 3 to 8 pairs in a
     hundred do.
     """
-    odds, most = np.exp((_HALF - np.asarray(distances, dtype=np.float64)) / _WIDTH), np.exp(_HALF / _WIDTH)
-    return 100 * (odds / (1 + odds)) * ((1 + most) / most)
+    return 100 * (_share(np.asarray(distances, dtype=np.float64)) / _share(np.zeros(())))
+
+
+def _share(distances: Floats) -> Floats:
+    return 1 / (1 + np.exp((distances - _HALF) / _WIDTH))

@@ -31,7 +31,8 @@ _MOST_CORNERS = 0.5
 _ROUNDED_AT = 0.4877
 # Newton's steps to the place where a part of a span has some length.
 _NEWTON = 3
-_BEFORE_END = 1.0 - 1e-12
+# Parameters this close to the end of an element are the start of the next.
+_BORDER = 1e-9
 # Radii are equal up to this many digits of the size.
 _DIGITS = 9
 
@@ -90,7 +91,11 @@ def equal_steps(axis: MedialAxis, count: int) -> BoundarySteps:
     part = np.searchsorted(start, at, side="right") - 1
     rows = _places(tour, part, (at - start[part]) / parts.ravel()[part])
     weight = np.repeat(width / steps, steps) / length.sum()
-    return BoundarySteps(part // _PARTS, rows[:, 0].copy(), rows[:, 1:3].copy(), rows[:, 3:].copy(), loop, weight, area)
+    # The end of an element is the start of the next one, whatever rounding says: behind it lies another disc's piece.
+    ended = rows[:, 0] > 1.0 - _BORDER
+    element = np.where(ended, tour.after[part // _PARTS], part // _PARTS)
+    t = np.where(ended, 0.0, rows[:, 0])
+    return BoundarySteps(element, t, rows[:, 1:3].copy(), rows[:, 3:].copy(), loop, weight, area)
 
 
 def _stretches(axis: MedialAxis, start: Floats, first: Ints, count: int) -> tuple[Floats, Floats, Ints]:
@@ -169,7 +174,7 @@ def _places(tour: Tour, part: Ints, share: Floats) -> Floats:
             if slope <= 0.0:
                 break
             x = min(max(x - (a * x + b * x * x / 2 + c * x**3 / 3 - wanted) / slope, 0.0), 1.0)
-        out[k, 0] = min((number + x) / _PARTS, _BEFORE_END)
+        out[k, 0] = min((number + x) / _PARTS, 1.0)
         out[k, 1], out[k, 2], out[k, 3], out[k, 4], _, _ = site(tour, e, out[k, 0])
     return out
 

@@ -9,7 +9,18 @@ from mashape_cad.medial.axis import medial_axis
 from mashape_cad.signatures.boundary_steps import equal_steps
 from mashape_cad.signatures.spokes import spokes
 
-_NAMES = ("ellipse", "bracket", "blob with holes", "plate with holes", "keyhole", "stadium", "rational blob")
+# In the hole grid places lie on the quadrants of circles, where one element of the boundary ends and the next starts:
+# taken for the end of the one, they had been given a disc of the other's far end.
+_NAMES = (
+    "ellipse",
+    "bracket",
+    "blob with holes",
+    "plate with holes",
+    "hole grid",
+    "keyhole",
+    "stadium",
+    "rational blob",
+)
 
 
 @pytest.mark.parametrize("name", [*_NAMES, "disc"])

@@ -112,7 +112,7 @@ def test_the_papers_figures_stand_beside_its_own_classes(paper_set):
     out = io.StringIO()
     print_report(found, out)
     assert "8 classes, a reconstruction of the paper's database" in out.getvalue()
-    assert [row[3] for row in grids(found)[-1].rows] == ["", "10", "", "2", "", "2", "16"]
+    assert [row[3] for row in grids(found)[-1].rows] == ["", "10", "", "", "2", "", "2", "16"]
 
 
 def test_only_the_papers_tables_that_were_measured_are_shown(paper_set):
