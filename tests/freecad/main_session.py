@@ -139,11 +139,13 @@ def first_answer(stage, model):
     scores = [row["score"] for row in window.rows]
     stage.check("scores fall", scores == sorted(scores, reverse=True) and len(set(scores)) > 1, scores[:4])
     stage.check("the query has a picture", not window.part("query").pixmap().isNull())
-    began = time.monotonic()
-    yield stage.wait_for(window.search())
-    seconds = time.monotonic() - began
-    in_time = window.code == "ok" and seconds < 0.5
-    stage.check("further answers under 0.5 s", in_time, f"{seconds:.2f} s", timed=True)
+    times = []
+    for _ in range(3):
+        began = time.monotonic()
+        yield stage.wait_for(window.search())
+        times.append(time.monotonic() - began)
+    in_time = window.code == "ok" and sorted(times)[1] < 0.5
+    stage.check("further answers under 0.5 s, in the median", in_time, [round(each, 2) for each in times], timed=True)
     screenshot("results")
 
 
