@@ -1,7 +1,7 @@
 """Equal steps along the boundary, whatever its division into edges: `equal_steps`.
 
 What is seen from a place jumps at a corner. So steps are counted from corner to corner, and on a loop without corners
-from where the largest disc of a node touches it, farthest from where else it does: from places that belong to the
+from where the largest disc of a node touches it, farthest from the other nodes: from places that belong to the
 shape, not to its file.
 """
 
@@ -124,20 +124,18 @@ def _touched(axis: MedialAxis, start: Floats, loop: int, first: int) -> float:
         return float(start[first * _PARTS])
     radius = np.round(axis.discs.radius[contacts.disc[mine]] / axis.frame.size, _DIGITS)
     largest = mine[radius == radius.max()]
-    # It touches at several places, whose order a mirror turns round: the one farthest from the others is taken.
-    away = np.round([_away_from_others(axis, int(contact)) for contact in largest], _DIGITS)
+    # It touches at several places, whose order a mirror turns round: the one farthest from all nodes is taken.
+    away = np.round([_away_from_nodes(axis, int(contact)) for contact in largest], _DIGITS)
     e, t = contacts.first[largest[np.argmax(away)]]
     return float(start[int(e) * _PARTS] + _length_to(tour, int(e), t))
 
 
-def _away_from_others(axis: MedialAxis, contact: int) -> float:
-    """Return the sum of the distances from where a disc touches to where else it touches."""
-    contacts = axis.contacts
-    places = contacts.first[contacts.disc == contacts.disc[contact]]
-    x, y = np.array([site(axis.tour, int(e), t)[:2] for e, t in places]).T
-    e, t = contacts.first[contact]
-    here = site(axis.tour, int(e), t)
-    return float(np.hypot(x - here[0], y - here[1]).sum())
+def _away_from_nodes(axis: MedialAxis, contact: int) -> float:
+    """Return the sum of the distances from where a disc touches to all nodes."""
+    e, t = axis.contacts.first[contact]
+    x, y = site(axis.tour, int(e), t)[:2]
+    nodes = (axis.nodes.centre - axis.frame.middle) / axis.frame.size
+    return float(np.hypot(nodes[:, 0] - x, nodes[:, 1] - y).sum())
 
 
 @compiled
