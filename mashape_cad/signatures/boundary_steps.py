@@ -1,7 +1,8 @@
 """Equal steps along the boundary, whatever its division into edges: `equal_steps`.
 
 What is seen from a place jumps at a corner. So steps are counted from corner to corner, and on a loop without corners
-from where the largest disc of a node touches it: from places that belong to the shape, not to its file.
+from where the largest disc of a node touches it, farthest from the other nodes: from places that belong to the
+shape, not to its file.
 """
 
 import math
@@ -122,8 +123,19 @@ def _touched(axis: MedialAxis, start: Floats, loop: int, first: int) -> float:
     if not len(mine):
         return float(start[first * _PARTS])
     radius = np.round(axis.discs.radius[contacts.disc[mine]] / axis.frame.size, _DIGITS)
-    e, t = contacts.first[mine[np.argmax(radius)]]
+    largest = mine[radius == radius.max()]
+    # It touches at several places, whose order a mirror turns round: the one farthest from all nodes is taken.
+    away = np.round([_away_from_nodes(axis, int(contact)) for contact in largest], _DIGITS)
+    e, t = contacts.first[largest[np.argmax(away)]]
     return float(start[int(e) * _PARTS] + _length_to(tour, int(e), t))
+
+
+def _away_from_nodes(axis: MedialAxis, contact: int) -> float:
+    """Return the sum of the distances from where a disc touches to all nodes."""
+    e, t = axis.contacts.first[contact]
+    x, y = site(axis.tour, int(e), t)[:2]
+    nodes = (axis.nodes.centre - axis.frame.middle) / axis.frame.size
+    return float(np.hypot(nodes[:, 0] - x, nodes[:, 1] - y).sum())
 
 
 @compiled

@@ -72,6 +72,14 @@ def test_how_the_boundary_is_divided_does_not_show(name):
         assert _apart(_vector(Profile.of(loops[0], loops[1:])), _kept(name)) < _SAME
 
 
+def test_steps_on_a_round_outline_start_alike_in_its_mirror_image(freeform80):
+    """Where the largest disc touches three times, the touch that comes first is another one in the mirror image."""
+    from mashape_cad import Similarity, read
+
+    [profile] = read(freeform80 / "bracket-9.dxf").profiles
+    assert _apart(_vector(profile.transformed(Similarity.of(mirror=True))), _vector(profile)) < _SAME / 4
+
+
 def _roughened(loop, reach, rng):
     """A polygon of equal steps along a loop, its corners moved at random."""
     points = loop.flattened(40)
