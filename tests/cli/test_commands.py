@@ -253,8 +253,8 @@ def test_search_for_people(folder, run):
     """A table; names are shown as they are, however long, also where they look like markup."""
     code, out, _ = run("search", folder / "a.dxf")
     assert code == 0
-    assert out[0].split() == ["rank", "part", "profile", "distance", "size", "(mm)"]
-    assert out[1].split() == ["1", str(folder / "a.dxf"), "0", "0.0000", "10", "x", "10"]
+    assert out[0].split() == ["rank", "part", "profile", "score", "distance", "size", "(mm)"]
+    assert out[1].split() == ["1", str(folder / "a.dxf"), "0", "100", "0.0000", "10", "x", "10"]
     assert str(folder / "Träger [bold] 2.dxf") in out[2]
 
 
