@@ -149,7 +149,8 @@ def _feet(
     way = place - hit.point[foot]
     across = np.abs(np.sum(way * hit.normal[foot], axis=1))
     along = np.abs(way[:, 0] * hit.normal[foot, 1] - way[:, 1] * hit.normal[foot, 0])
-    step = hit.size / _STATIONS * 4
+    # The hit's stations are about this far apart, unless its outline is longer than four times its box' diagonal.
+    step = 4 * hit.size / _STATIONS
     same_way = np.sum(normal * hit.normal[foot], axis=1) >= _SAME_WAY
     return place, foot, (across <= limit) & (along <= step + limit) & same_way
 
