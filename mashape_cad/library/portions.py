@@ -9,6 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.distance import cdist
 
 from mashape_cad.geometry.edge import Floats
 from mashape_cad.library.polylines import branches_of, loops_of
@@ -69,8 +70,7 @@ class Portions:
         """Return how much each row has in common with the query's branches, (n,)."""
         likeness = np.zeros((len(own.radius), len(self._records)))
         for signature in (own.signature, own.mirrored):
-            square = np.sum(signature**2, axis=1)[:, None] + np.sum(self._signature**2, axis=1)
-            alike = 1 - (square - 2 * signature @ self._signature.T) / _ALIKE**2
+            alike = 1 - cdist(signature, self._signature, "sqeuclidean") / _ALIKE**2
             np.maximum.at(likeness.T, self._row, alike.T)
         rarity = np.log((1 + len(self._records)) / (1 + np.count_nonzero(likeness > 0, axis=1)))
         return rarity @ likeness

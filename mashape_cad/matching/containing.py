@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
+from scipy.spatial.distance import cdist
 
 from mashape_cad.geometry.edge import Floats, Similarity, frozen
 from mashape_cad.matching.frames import Frames
@@ -106,7 +107,7 @@ def _promise(query: Contour, hit: Contour, tree: cKDTree, placement: Similarity)
 
 def _placements(asked: Frames, known: Frames) -> Iterator[Similarity]:
     """Yield how the query would lie if two frames were one, the most alike first."""
-    apart = np.stack([_apart(signature, known.signature) for signature in (asked.signature, asked.mirrored)])
+    apart = np.stack([cdist(signature, known.signature) for signature in (asked.signature, asked.mirrored)])
     for mirror, q, h in zip(*np.unravel_index(np.argsort(apart, axis=None)[:_TRIED], apart.shape), strict=True):
         (px, py), (qx, qy) = asked.direction[q], known.direction[h]
         py = -py if mirror else py
@@ -114,12 +115,6 @@ def _placements(asked: Frames, known: Frames) -> Iterator[Similarity]:
         matrix = np.array([[cos, -sin], [sin, cos]]) * (known.radius[h] / asked.radius[q])
         matrix = matrix @ np.diag([1.0, -1.0]) if mirror else matrix
         yield Similarity(frozen(matrix), frozen(known.origin[h] - matrix @ asked.origin[q]))
-
-
-def _apart(one: Floats, other: Floats) -> Floats:
-    """Return the distances of all pairs of signatures."""
-    square = np.sum(one**2, axis=1)[:, None] + np.sum(other**2, axis=1) - 2 * one @ other.T
-    return np.sqrt(np.maximum(square, 0.0))
 
 
 def _agreeing(query: Contour, hit: Contour, tree: cKDTree, first: Similarity) -> Portion | None:
