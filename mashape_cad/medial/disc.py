@@ -35,8 +35,8 @@ from mashape_cad.medial.tour import Ints, Tour, site
 
 __all__ = ["maximal_disc", "twin_on_stretch"]
 
-# Samples on a stretch whose best one starts the search for a twin. Towards a vertex they crowd by this factor from one
-# to the next, down to a millionth of a millionth of the stretch.
+# Samples on a stretch, the lowest of which start the search for a twin. Towards a vertex they crowd by this factor from
+# one to the next, down to a millionth of a millionth of the stretch.
 _SAMPLES, _SAMPLES_CROWDED, _CROWDING = 12, 48, 0.25
 _TINY = 1e-300  # a height below this counts as none: a quotient by it would overflow
 _STRAIGHT = 1e-9  # a curvature below this bounds no disc; _WIDEST does
@@ -269,7 +269,8 @@ def _share(k: int, crowded: bool) -> float:
 def twin_on_stretch(tour: Tour, e: int, t: float, f: int, low: float, high: float) -> tuple[float, float, float, float]:
     """Return the disc at (e, t) whose twin is known to lie on a stretch: x, y, r and the twin's parameter.
 
-    f(p, .) is sampled on the stretch and descended to a root of G between the neighbours of the best sample.
+    f(p, .) is sampled on the stretch and descended to a root of G between the neighbours of each sample that is below
+    both of them: one narrow valley between samples may be deeper than what looks deepest.
     """
     px, py, nx, ny, curvature, _ = site(tour, e, t)
     limit = 1.0 / curvature if curvature > _STRAIGHT else _WIDEST
@@ -283,15 +284,41 @@ def twin_on_stretch(tour: Tour, e: int, t: float, f: int, low: float, high: floa
         high == 1.0 and (tour.element[tour.element[f].after].convex or tour.element[f].after == e)
     )
     count = _SAMPLES_CROWDED if crowded else _SAMPLES
-    best_k, best = 0, math.inf
+    twin, width, least = low, high - low, math.inf
+    before, here = math.inf, _sampled(tour, px, py, nx, ny, f, low + width * _share(0, crowded))
     for k in range(count + 1):
-        qx, qy, _, _, _, _ = evaluate(tour.control[f], tour.element[f].degree, low + (high - low) * _share(k, crowded))
-        radius = _radius(px, py, nx, ny, qx, qy)
-        if radius < best and (qx - px) ** 2 + (qy - py) ** 2 > _LOST * radius:
-            best_k, best = k, radius
-    a = low + (high - low) * _share(max(best_k - 1, 0), crowded)
-    b = low + (high - low) * _share(min(best_k + 1, count), crowded)
-    s = sampled = min(max(low + (high - low) * _share(best_k, crowded), a), b)
+        after = math.inf
+        if k < count:
+            after = _sampled(tour, px, py, nx, ny, f, low + width * _share(k + 1, crowded))
+        if here <= before and here < after:
+            a, b = low + width * _share(max(k - 1, 0), crowded), low + width * _share(min(k + 1, count), crowded)
+            s = _lowest(tour, px, py, nx, ny, f, a, b, min(max(low + width * _share(k, crowded), a), b))
+            radius = _descent(tour, px, py, nx, ny, f, s)[0]
+            if radius < least:
+                least, twin = radius, s
+        before, here = here, after
+    if least == math.inf:
+        # Rounding hides all samples.
+        twin = _lowest(tour, px, py, nx, ny, f, low, low + width * _share(1, crowded), low)
+        least = _descent(tour, px, py, nx, ny, f, twin)[0]
+    r = min(limit, least)
+    return px + r * nx, py + r * ny, r, twin
+
+
+@compiled
+def _sampled(tour: Tour, px: float, py: float, nx: float, ny: float, f: int, t: float) -> float:
+    """Radius of the disc through a sample; infinite where rounding alone may lift it above the tangent."""
+    qx, qy, _, _, _, _ = evaluate(tour.control[f], tour.element[f].degree, t)
+    radius = _radius(px, py, nx, ny, qx, qy)
+    return radius if (qx - px) ** 2 + (qy - py) ** 2 > _LOST * radius else math.inf
+
+
+@compiled
+def _lowest(
+    tour: Tour, px: float, py: float, nx: float, ny: float, f: int, a: float, b: float, sampled: float
+) -> float:
+    """Descend f(p, .) from the best sample of a bracket [a, b] to a root of G."""
+    s = sampled
     for _ in range(80):
         radius, g, slope, _, _ = _descent(tour, px, py, nx, ny, f, s)
         if radius == math.inf:
@@ -312,5 +339,4 @@ def twin_on_stretch(tour: Tour, e: int, t: float, f: int, low: float, high: floa
         s = step
         if done or b - a < _RESOLUTION:
             break
-    r = min(limit, _descent(tour, px, py, nx, ny, f, s)[0])
-    return px + r * nx, py + r * ny, r, s
+    return s

@@ -59,6 +59,10 @@ _SAME_FOOT = 1e-6
 _NOISE = 1e-11
 _STRAIGHT = 1e-9  # a curvature below this (one over sizes) has no maximum that matters
 _SAME_CURVATURE = 1e-9  # curvatures that agree this well, relatively, do not jump
+# Rounding of a span's control points (sizes) tells in its second differences, and so in its curvature by so much over
+# the square of its length, in the slope of its curvature as it is computed by so much times the cube. Spans between
+# knots a ten-thousandth apart know their curvature to six digits only.
+_CONTROL_ROUNDING = 2e-14
 _STRETCHES = 128  # of parameters that may wait at once
 _SHORTEST = 1e-9  # stretches of parameters this short are not halved any more: what changes sign there is one root
 
@@ -122,7 +126,7 @@ def _settle_arcs(tour: Tour, faces: Faces) -> bool:
         deepest = touching(tour, x, y, r, _ARC, first, _ARC)[0]
         if deepest < -_ARC or r * _widest_kink(tour, first, last) ** 2 > _KINK:
             continue
-        tol = max(TOUCH, _off_circle(tour, first, last, x, y, r), -deepest)
+        tol = max(TOUCH, _off_circle(tour, first, last, x, y, r), -deepest, _centre_rounding(tour, first, last, r))
         if all_round:
             # The domain's outer loop. (The outside of a hole is never empty.)
             faces.used[:] = 0
@@ -227,6 +231,17 @@ def _off_circle(tour: Tour, first: int, last: int, x: float, y: float, r: float)
 
 
 @compiled
+def _centre_rounding(tour: Tour, first: int, last: int, r: float) -> float:
+    """Error that rounding of control points may leave in the centre of a run, whose longest arc knows it best."""
+    longest, e = 0.0, first
+    while True:
+        longest = max(longest, chord_squared(tour, e))
+        if e == last:
+            return r * r * _CONTROL_ROUNDING / longest
+        e = tour.element[e].after
+
+
+@compiled
 def _add_points(tour: Tour, faces: Faces, number: int) -> None:
     """Add the contacts of an arc's disc other than its arcs."""
     x, y, r, tol = faces.settled[number].x, faces.settled[number].y, faces.settled[number].r, faces.settled[number].tol
@@ -268,7 +283,7 @@ def curvature_candidates(tour: Tour, touched: NDArray[np.bool_]) -> tuple[Ints, 
         if tour.element[e].degree < 2 or touched[e]:
             continue
         slope = curvature_slope(tour.control[e], tour.element[e].degree)
-        noise = _NOISE * np.abs(slope).max()
+        noise = _NOISE * np.abs(slope).max() + _CONTROL_ROUNDING * chord_squared(tour, e) ** 1.5
         rises_at_end[e], falls_at_start[e] = slope[-1] >= -noise, slope[0] <= noise
         if curvature_sign(tour.control[e], tour.element[e].degree).max() > 0.0:
             for t in falling_roots(slope):
@@ -297,13 +312,20 @@ def _may_peak_at_border(
     most = max(k_left, k_right)
     if most <= _STRAIGHT:
         return False
-    same = abs(k_left - k_right) <= _SAME_CURVATURE * max(abs(k_left), abs(k_right))
+    rounding = _curvature_rounding(tour, left) + _curvature_rounding(tour, e)
+    same = abs(k_left - k_right) <= _SAME_CURVATURE * max(abs(k_left), abs(k_right)) + rounding
     # Of an arc that is touched as a whole no place is a candidate.
     if ((same or k_left == most) and touched[left]) or ((same or k_right == most) and touched[e]):
         return False
     if same:
         return rises_at_end[left] and falls_at_start[e]
     return rises_at_end[left] if k_left > k_right else falls_at_start[e]
+
+
+@compiled
+def _curvature_rounding(tour: Tour, e: int) -> float:
+    """Error that rounding of control points may leave in the curvature of a span."""
+    return _CONTROL_ROUNDING / chord_squared(tour, e) if tour.element[e].degree > 1 else 0.0
 
 
 @compiled
@@ -326,11 +348,20 @@ def _settle_osculating(tour: Tour, faces: Faces, e: int, t: float) -> None:
     first_e, first_t, last_e, last_t = _contact_across_border(tour, e, t, cx, cy, r)
     if _repeats(tour, faces, cx, cy, r, first_e, first_t):
         return
-    number = add_disc(faces, cx, cy, r, OSCULATING, TOUCH)
+    # Where the contact reaches on to a border, normals there miss the centre by more than points miss the circle.
+    tol = max(TOUCH, _off_normal(tour, first_e, first_t, cx, cy), _off_normal(tour, last_e, last_t, cx, cy))
+    number = add_disc(faces, cx, cy, r, OSCULATING, tol)
     add_contact(faces, number, first_e, first_t, last_e, last_t)
     for k in range(count):
         if not one_contact(tour, e, t, element[k], place_t[k], cx, cy, r):
             add_contact(faces, number, element[k], place_t[k], element[k], place_t[k])
+
+
+@compiled
+def _off_normal(tour: Tour, e: int, t: float, x: float, y: float) -> float:
+    """Distance of a point from the normal of a place."""
+    qx, qy, nx, ny, _, _ = site(tour, e, t)
+    return abs((x - qx) * ny - (y - qy) * nx)
 
 
 @compiled

@@ -1,6 +1,5 @@
 """Profiles of everything, drawn by Hypothesis: certified, and by brute force too; where they cross they are refused."""
 
-import os
 from itertools import pairwise
 
 import numpy as np
@@ -33,6 +32,9 @@ def check(profile: Profile, places: int) -> None:
     What fine polygons find to cross is refused in any case.
     """
     refused = _refused(profile)
+    if refused is not None and refused.kind == "open":
+        assert any(isinstance(edge, BSpline) and _is_torn(edge) for edge in profile.edges), refused
+        return
     if refused is not None:
         met = crossings(profile)
         assert refused.kind in {"crossing", "touching"}, refused
@@ -44,6 +46,12 @@ def check(profile: Profile, places: int) -> None:
     assert certificate(axis, STATIONS).reason == ""
     check_densely(profile, axis)
     check_definition(profile, axis, seed=len(profile.edges), count=places)
+
+
+def _is_torn(edge: BSpline) -> bool:
+    """Whether a knot inside is so multiple that the curve may jump there."""
+    knots, counts = np.unique(edge.knots, return_counts=True)
+    return bool((counts[1:-1] > edge.degree).any()) and len(knots) > 2
 
 
 def _refused(profile: Profile) -> InvalidProfileError | None:
@@ -64,7 +72,7 @@ def test_some_profiles_of_everything(profile):
 
 @pytest.mark.slow
 def test_two_thousand_profiles_of_everything(drawn):
-    """None is left out; by default one part of forty, drawn anew, since all take half an hour."""
+    """None is left out; by default four parts of forty, drawn anew."""
     seen = set()
 
     def once(profile: Profile) -> None:
@@ -73,7 +81,7 @@ def test_two_thousand_profiles_of_everything(drawn):
             check(profile, 1)
             seen.add(outline)
 
-    for part in drawn(list(range(_PARTS)), 1):
+    for part in drawn(list(range(_PARTS)), 4):
         seed(part)(_MANY(given(profiles())(once)))()
 
 
@@ -92,9 +100,6 @@ def test_some_profiles_that_may_cross_themselves(profile):
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(
-    not os.environ.get("MASHAPE_ALL"), reason="three of them fail, on knots a millionth apart: MASHAPE_ALL=1"
-)
 @given(crossing_profiles())
 @settings(_FEW, max_examples=200)
 def test_many_profiles_that_may_cross_themselves(profile):
@@ -109,3 +114,35 @@ def test_a_span_of_a_ten_thousandth_that_follows_a_circle():
              (-0.4072, 0.2445), (-0.4389, 0.2072), (-0.4706, 0.1699)]  # fmt: skip
     lines = [Line.of(p, q) for p, q in pairwise([poles[-1], (-0.2096, -0.0519), (0.0122, 0.2091), poles[0]])]
     check(Profile.of(Loop((BSpline.of(3, knots, poles), *lines))), 12)
+
+
+def _closed(edge: BSpline, *corners: tuple[float, float]) -> Profile:
+    """A spline and straight lines back from its end over corners to its start."""
+    x, y = edge.poles.T.tolist()
+    lines = [Line.of(p, q) for p, q in pairwise([(x[-1], y[-1]), *corners, (x[0], y[0])])]
+    return Profile.of(Loop((edge, *lines)))
+
+
+def test_a_twin_in_a_narrow_valley_between_samples():
+    """Past a bump, discs in a beak took the far end of the spline for their twin: no sample was near the close one."""
+    knots = [0.0] * 4 + [0.4888144, 0.4979816, 0.5008176, 0.9] + [1.0] * 4
+    poles = [(-0.21967, -0.38455), (-0.11726, -0.33908), (-0.01477, -0.29379), (0.08763, -0.24829), (0.1896, -0.20185),
+             (0.29198, -0.1563), (0.3138, 0.06916), (0.4962, -0.06402)]  # fmt: skip
+    check(_closed(BSpline.of(3, knots, poles), (-0.36821222, 0.63820948)), 4)
+
+
+def test_curvature_at_a_knot_that_rounding_makes_jump():
+    """Of spans a ten-thousandth long; an end was asked for where the curvature rose on."""
+    knots = [0.0] * 6 + [0.4997696, 0.4999448, 0.5002784, 0.9] + [1.0] * 6
+    poles = [(0.49417, 0.072), (0.47907, 0.10348), (0.46291, 0.13442), (0.44833, 0.16615), (0.44825, 0.20513),
+             (0.41608, 0.22808), (0.40066, 0.25939), (0.38506, 0.29062), (0.37812, 0.32617),
+             (0.3539, 0.35309)]  # fmt: skip
+    check(_closed(BSpline.of(5, knots, poles), (0.0, 0.36), (0.0, 0.07)), 4)
+
+
+def test_a_disc_that_follows_its_boundary_to_a_knot_says_by_how_much_it_misses_the_normals():
+    """By 4e-9 of the size, which was on record nowhere."""
+    knots = [0.0] * 5 + [0.4993704, 0.4998184] + [1.0] * 5
+    poles = [(-0.28245, -0.41383), (-0.24694, -0.42554), (-0.21148, -0.43737), (-0.17933, -0.45924),
+             (-0.14028, -0.4602), (-0.10496, -0.47247), (-0.06944, -0.48413)]  # fmt: skip
+    check(_closed(BSpline.of(4, knots, poles), (0.3, -0.45), (0.3, 0.3), (-0.5, 0.3)), 4)
