@@ -212,7 +212,13 @@ class SearchOptions:
     weights: tuple[float, float, float] | None = _option(
         None, "How much DF, RF and CF count in --mode paper; not given, alike.", low=0.0, high=1e6
     )
-    min_score: float = _option(0.0, "Only parts with at least this score.", unit="per cent", low=0.0, high=100.0)
+    min_score: float = _option(
+        0.0,
+        "Only parts with at least this score; with --mode part, that contain at least so much of QUERY.",
+        unit="per cent",
+        low=0.0,
+        high=100.0,
+    )
     same_size: float | None = _option(
         None,
         f"Only parts of QUERY's size, by the square root of the area; without TOL to within {SAME_SIZE:.0%}.",

@@ -146,7 +146,7 @@ class Library:
         shape_distances = self._rows.shapes.distances(asked.record.shape or ())
         score = scores(shape_distances)
         distances = shape_distances if options.mode != "paper" else self._paper_distances(asked, options)
-        passing = self._passing(asked, options, score)
+        passing = self._passing(asked, options) & (score >= options.min_score)
         ranked = self._order(asked, distances)
         if options.mode == "reranked":
             ranked = self._reranked(asked, ranked)
@@ -157,12 +157,17 @@ class Library:
             yield self._match(rank, row, float(distances[row]), float(score[row]))
 
     def _containing(self, asked: Query, options: SearchOptions) -> Iterator[Match]:
-        """Yield the parts that contain a portion of the query, the largest first; of equal ones the most alike."""
+        """Yield the parts that contain a portion of the query, the largest first; of equal ones the most alike.
+
+        A least score is one of portions here: a part that contains all of a query in a larger body is unlike it.
+        """
         distances = self._rows.shapes.distances(asked.record.shape or ())
         score = scores(distances)
         order = self._order(asked, distances)
         listed = set[int]()
-        for row, portion in self._portions.found(asked.record, order[self._passing(asked, options, score)[order]]):
+        for row, portion in self._portions.found(asked.record, order[self._passing(asked, options)[order]]):
+            if 100 * portion.share < options.min_score:
+                return
             if (part := int(self._rows.part[row])) not in listed:
                 listed.add(part)
                 match = self._match(len(listed), row, float(distances[row]), float(score[row]))
@@ -195,9 +200,9 @@ class Library:
         """Made when it is asked for: its medians take longer than a search."""
         return Stack.of([record.vectors or {} for record in self._rows.records], self._rows.stands_for_part)
 
-    def _passing(self, asked: Query, options: SearchOptions, score: Floats) -> NDArray[np.bool_]:
-        """Return whether each row passes the filters."""
-        passing = score >= options.min_score
+    def _passing(self, asked: Query, options: SearchOptions) -> NDArray[np.bool_]:
+        """Return whether each row has the size and the holes that are asked for."""
+        passing = np.ones(len(self._rows.part), dtype=np.bool_)
         if options.holes is not None:
             passing &= self._rows.holes == options.holes
         if options.same_size is not None:

@@ -49,6 +49,17 @@ def test_hooks_come_before_bodies(parts, body):
     assert shares[0] == pytest.approx(1.0)
 
 
+def test_a_least_score_is_of_the_portion(parts):
+    """It keeps a part that contains most of the query, however unlike its whole outline is."""
+    library, query = Library(parts), parts / "block hook.dxf"
+    every = library.search(query, options=_PART)
+    least = 100 * every[2].portion.share
+    kept = library.search(query, options=SearchOptions(mode="part", min_score=least - 1e-9))
+    assert [match.path for match in kept] == [
+        match.path for match in every if 100 * match.portion.share >= least - 1e-9
+    ]
+
+
 def test_what_is_found_lies_where_it_is_said_to(parts):
     """The stretches are on the hit, in its coordinates; the placement lays the query there."""
     [first, second, *_] = Library(parts).search(parts / "block hook.dxf", options=_PART)
