@@ -59,10 +59,10 @@ _SAME_FOOT = 1e-6
 _NOISE = 1e-11
 _STRAIGHT = 1e-9  # a curvature below this (one over sizes) has no maximum that matters
 _SAME_CURVATURE = 1e-9  # curvatures that agree this well, relatively, do not jump
-# Rounding of a span's control points (sizes) tells in its second differences, and so in its curvature by so much over
-# the square of its length, in the slope of its curvature as it is computed by so much times the cube. Spans between
-# knots a ten-thousandth apart know their curvature to six digits only.
-_CONTROL_ROUNDING = 2e-14
+# Rounding of a span's control points (sizes), times the square of its degree, tells in second differences: the span's
+# curvature is known to so much over the square of its length, the slope of its curvature, as it is computed, to so much
+# times the cube. Between knots a ten-thousandth apart curvature has six digits.
+_CONTROL_ROUNDING = 4e-16
 _STRETCHES = 128  # of parameters that may wait at once
 _SHORTEST = 1e-9  # stretches of parameters this short are not halved any more: what changes sign there is one root
 
@@ -126,7 +126,7 @@ def _settle_arcs(tour: Tour, faces: Faces) -> bool:
         deepest = touching(tour, x, y, r, _ARC, first, _ARC)[0]
         if deepest < -_ARC or r * _widest_kink(tour, first, last) ** 2 > _KINK:
             continue
-        tol = max(TOUCH, _off_circle(tour, first, last, x, y, r), -deepest, _centre_rounding(tour, first, last, r))
+        tol = max(TOUCH, _off_circle(tour, first, last, x, y, r), -deepest)
         if all_round:
             # The domain's outer loop. (The outside of a hole is never empty.)
             faces.used[:] = 0
@@ -231,17 +231,6 @@ def _off_circle(tour: Tour, first: int, last: int, x: float, y: float, r: float)
 
 
 @compiled
-def _centre_rounding(tour: Tour, first: int, last: int, r: float) -> float:
-    """Error that rounding of control points may leave in the centre of a run, whose longest arc knows it best."""
-    longest, e = 0.0, first
-    while True:
-        longest = max(longest, chord_squared(tour, e))
-        if e == last:
-            return r * r * _CONTROL_ROUNDING / longest
-        e = tour.element[e].after
-
-
-@compiled
 def _add_points(tour: Tour, faces: Faces, number: int) -> None:
     """Add the contacts of an arc's disc other than its arcs."""
     x, y, r, tol = faces.settled[number].x, faces.settled[number].y, faces.settled[number].r, faces.settled[number].tol
@@ -283,7 +272,7 @@ def curvature_candidates(tour: Tour, touched: NDArray[np.bool_]) -> tuple[Ints, 
         if tour.element[e].degree < 2 or touched[e]:
             continue
         slope = curvature_slope(tour.control[e], tour.element[e].degree)
-        noise = _NOISE * np.abs(slope).max() + _CONTROL_ROUNDING * chord_squared(tour, e) ** 1.5
+        noise = _NOISE * np.abs(slope).max() + _curvature_rounding(tour, e) * chord_squared(tour, e) ** 2.5
         rises_at_end[e], falls_at_start[e] = slope[-1] >= -noise, slope[0] <= noise
         if curvature_sign(tour.control[e], tour.element[e].degree).max() > 0.0:
             for t in falling_roots(slope):
@@ -325,7 +314,8 @@ def _may_peak_at_border(
 @compiled
 def _curvature_rounding(tour: Tour, e: int) -> float:
     """Error that rounding of control points may leave in the curvature of a span."""
-    return _CONTROL_ROUNDING / chord_squared(tour, e) if tour.element[e].degree > 1 else 0.0
+    degree = tour.element[e].degree
+    return _CONTROL_ROUNDING * degree * degree / chord_squared(tour, e) if degree > 1 else 0.0
 
 
 @compiled
