@@ -205,8 +205,9 @@ class SearchOptions:
     mode: str = _option(
         "similar",
         "similar: in the order of the default signatures. reranked: besides, what resembles the best hits rises. same: "
-        "in the order of similar, and each hit is laid over QUERY and compared exactly. part: by how much of QUERY's "
-        "outline each contains. paper: in the order of the paper's functions DF, RF and CF.",
+        "those with QUERY's outer loop first, whatever their holes, then in the order of similar, and each hit is laid "
+        "over QUERY and compared exactly. part: by how much of QUERY's outline each contains. paper: in the order of "
+        "the paper's functions DF, RF and CF.",
         choices=("similar", "reranked", "same", "part", "paper"),
     )
     weights: tuple[float, float, float] | None = _option(

@@ -25,6 +25,7 @@ from mashape_cad.library.sidecar import UnknownVersionError, read_sidecar, sidec
 from mashape_cad.options import PartOptions, SearchOptions
 
 if TYPE_CHECKING:
+    from mashape_cad.library.outer_loops import OuterLoops
     from mashape_cad.library.portions import Portions
 
 __all__ = ["Library", "Query"]
@@ -131,7 +132,8 @@ class Library:
     def matches(self, asked: Query, options: SearchOptions) -> Iterator[Match]:
         """Yield the parts that resemble a query, the nearest first, as `search` returns them.
 
-        In mode ``same`` each is compared with the query when its turn comes; in mode ``part`` only parts that have a
+        In mode ``same`` those with the query's outer loop are first, and each is compared with the query when its turn
+        comes; in mode ``part`` only parts that have a
         portion of the query come at all.
         """
         if options.mode == "part":
@@ -150,6 +152,8 @@ class Library:
         ranked = self._order(asked, distances)
         if options.mode == "reranked":
             ranked = self._reranked(asked, ranked)
+        if options.mode == "same":
+            ranked = self._same_outer_loop_first(asked, ranked)
         order = ranked[passing[ranked]]
         _, first = np.unique(self._rows.part[order], return_index=True)
         for rank, place in enumerate(np.sort(first).tolist(), start=1):
@@ -172,6 +176,18 @@ class Library:
                 listed.add(part)
                 match = self._match(len(listed), row, float(distances[row]), float(score[row]))
                 yield replace(match, portion=portion)
+
+    def _same_outer_loop_first(self, asked: Query, order: NDArray[np.intp]) -> NDArray[np.intp]:
+        """Return rows in their order, those first whose outer loop may be the query's, whatever their holes."""
+        same = self._outer_loops.same(asked.record)[order]
+        return np.concatenate([order[same], order[~same]])
+
+    @cached_property
+    def _outer_loops(self) -> "OuterLoops":
+        """Made when it is asked for: it looks at every outline of the library."""
+        from mashape_cad.library.outer_loops import OuterLoops  # noqa: PLC0415  (no other search looks at outlines)
+
+        return OuterLoops(self._rows.records)
 
     @cached_property
     def _portions(self) -> "Portions":

@@ -1,5 +1,7 @@
 """Hits laid over the query: what is said of them, and what becomes of those that cannot be read again."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from drawings import write_drawing
@@ -10,6 +12,7 @@ from mashape_cad.errors import QueryError
 from mashape_cad.geometry.edge import Similarity
 from mashape_cad.library.freshness import source_of
 from mashape_cad.library.library import Library
+from mashape_cad.library.record import Thumbnail
 from mashape_cad.library.sidecar import sidecar_path, write_sidecar
 from mashape_cad.matching.relation import Kind
 from mashape_cad.options import SearchOptions
@@ -54,6 +57,21 @@ def test_hits_keep_their_order_and_are_said_what_they_are(folder):
     ]
     assert matches[2].relation.scale == pytest.approx(25.4)
     assert matches[3].relation.deviation_mm == pytest.approx(4.0)
+
+
+def test_the_same_outer_loop_comes_first_whatever_its_holes(folder):
+    """By signature the plate with a hole more is the farthest; among themselves parts keep their order."""
+    outline = Thumbnail((0.0, 0.0), 0.016, ((0, 0, 5000, 0, 5000, 1125, 1250, 1125, 1250, 3125, 0, 3125),))
+    turned = Thumbnail((7.0, 0.0), 0.032, ((0, 0, 3125, 0, 3125, 1250, 1125, 1250, 1125, 5000, 0, 5000), (9, 9) * 3))
+    put_drawing(folder / "hole.dxf", L_SHAPE, 40, 41, 42, 43)
+    for name, light, filled in (("hole", turned, (40, 41, 42, 43)), ("a", outline, (0, 1, 2, 3))):
+        record = replace(profile_record(*filled), thumbnail=light)
+        path = folder / f"{name}.dxf"
+        write_sidecar(sidecar_path(path), sidecar(source_of(path), record))
+    order = ["a", "hole", "mirrored", "inch", "longer", "square"]
+    assert [match.path.stem for match in Library(folder).search(folder / "a.dxf", options=SAME)] == order
+    plain = [match.path.stem for match in Library(folder).search(folder / "a.dxf")]
+    assert plain.index("hole") > plain.index("longer")
 
 
 def test_nothing_is_compared_unless_asked(folder):
