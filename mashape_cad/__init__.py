@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from mashape_cad.reading.reader import read
     from mashape_cad.scanning import scan
     from mashape_cad.signatures.paper import signature
+    from mashape_cad.signatures.shape import shape_signature
     from mashape_cad.signatures.vectors import Signature
 
 __all__ = [
@@ -85,6 +86,7 @@ __all__ = [
     "read",
     "read_sidecar",
     "scan",
+    "shape_signature",
     "sidecar_path",
     "signature",
     "simplify",
@@ -120,6 +122,7 @@ _PLACES = {
     "reading.reader": ("read",),
     "scanning": ("scan",),
     "signatures.paper": ("signature",),
+    "signatures.shape": ("shape_signature",),
     "signatures.vectors": ("Signature",),
 }
 _PLACE_OF = {name: place for place, names in _PLACES.items() for name in names}

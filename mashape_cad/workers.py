@@ -35,6 +35,8 @@ _PREPARATION = 900.0
 # Workers that die in a row before their first item: then it is not bad luck but this machine.
 _MOST_STILLBORN = 3
 _READY = "ready"
+# What tells the libraries behind numpy, before it is loaded, how many threads to take.
+_THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS")
 
 
 class WorkerDiedError(Exception):
@@ -146,7 +148,8 @@ class _Crew(Generic[Item, Result]):
             process = self._context.Process(  # type: ignore[attr-defined]  # typeshed leaves it to the subclasses
                 target=_serve, args=(theirs, *self._duty), daemon=True
             )
-            process.start()
+            with _one_thread_each():
+                process.start()
             theirs.close()  # so that ours ends when the process does
             self._workers[ours] = _Worker(process, ours, [], time.monotonic() + _PREPARATION)
 
@@ -204,9 +207,24 @@ def _context(preload: str) -> BaseContext:
 
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload([preload])
-    with _deaf_to_interrupts():
+    with _deaf_to_interrupts(), _one_thread_each():
         forkserver.ensure_running()
     return context
+
+
+@contextmanager
+def _one_thread_each() -> Iterator[None]:
+    """Have processes that are started now multiply matrices in one thread, unless the user wants it otherwise.
+
+    Matrices are small here: two threads take twice the processor time and gain nothing, and workers are many already.
+    """
+    added = [name for name in _THREADS if name not in os.environ]
+    os.environ.update(dict.fromkeys(added, "1"))
+    try:
+        yield
+    finally:
+        for name in added:
+            del os.environ[name]
 
 
 @contextmanager

@@ -29,6 +29,18 @@ def test_every_item_comes_back_with_its_value():
     assert sorted(_run(range(10), twice, jobs=2, timeout=30)) == [(i, 2 * i) for i in range(10)]
 
 
+def threads(_item):
+    """Tell how many threads numpy would take."""
+    return os.environ.get("OPENBLAS_NUM_THREADS")
+
+
+def test_workers_take_one_thread_each(monkeypatch):
+    """Without a word about it in the environment of whoever starts them."""
+    monkeypatch.delenv("OPENBLAS_NUM_THREADS", raising=False)
+    assert list(_run([1], threads, jobs=1, timeout=30)) == [(1, "1")]
+    assert "OPENBLAS_NUM_THREADS" not in os.environ
+
+
 def test_no_items():
     """Nothing to do, no workers."""
     assert list(_run([], twice, jobs=2, timeout=30)) == []

@@ -91,8 +91,8 @@ def tried(path: Path, blake2b: str, profile: int, options: PartOptions) -> Trial
     tracing, axis = _timed(lambda: medial_axis(part.profiles[profile]))
     full, _ = _timed(lambda: paper.signature(axis, stations))
     half, coarse = _timed(lambda: paper.signature(axis, coarser(stations)))
-    default, _ = _timed(lambda: shape.signature(axis))
-    coarse_shape = shape.signature(axis, coarser(spokes.STEPS))
+    default, _ = _timed(lambda: shape.shape_signature(axis))
+    coarse_shape = shape.shape_signature(axis, coarser(spokes.STEPS))
     vectors = {name: tuple(row.tolist()) for each in (coarse, coarse_shape) for name, row in each.vectors.items()}
     spent = Seconds(reading, tracing, full, half, default)
     return Trial(blake2b, profile, CURRENT_SIGNATURE, CURRENT_SHAPE, options, spent, vectors)

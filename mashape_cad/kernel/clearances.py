@@ -22,6 +22,7 @@ __all__ = ["clearances"]
 
 # Of the kernel's parameter, its own default; a distance is off by about its square.
 _TOLERANCE = 1e-10
+_ROUNDING = 1e-15  # of coordinates
 
 _Point = tuple[float, float]
 # A search, the curve that it only points to, the curve's first and last parameter, and its end points.
@@ -52,8 +53,11 @@ def clearances(
     pieces = [made for edge, breaks in edges for made in _pieces(edge, breaks)]
     ends = np.array([both for *_, both in pieces])[piece]
     found = np.hypot(*np.moveaxis(ends - points[row][:, None], 2, 0)).min(axis=1).tolist()
+    nothing = _ROUNDING * float(np.abs(points).max(initial=0.0))
     place, at, coordinates = gp_Pnt2d(), -1, points.tolist()
     for pair, (number, index) in enumerate(zip(row.tolist(), piece.tolist(), strict=True)):
+        if found[pair] <= nothing:
+            continue  # The point is the piece's end, as at every convex vertex: none is nearer.
         if number != at:
             at = number
             place.SetCoord(*coordinates[at])

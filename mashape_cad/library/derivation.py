@@ -44,7 +44,8 @@ from mashape_cad.medial.certificate import certificate
 from mashape_cad.options import PartOptions, ReadOptions, SignatureOptions
 from mashape_cad.reading.part import Part
 from mashape_cad.reading.reader import read
-from mashape_cad.signatures import paper, shape
+from mashape_cad.signatures import paper
+from mashape_cad.signatures.shape import shape_signature
 
 __all__ = ["derive", "profile_record", "profile_records", "read_part", "records_of", "refusal", "warm_up"]
 
@@ -258,7 +259,7 @@ def _vectors(axis: MedialAxis, options: SignatureOptions) -> Mapping[str, tuple[
 
 
 def _numbers(axis: MedialAxis) -> tuple[int, ...]:
-    return tuple(int(number) for number in shape.signature(axis).vectors["shape"])
+    return tuple(int(number) for number in shape_signature(axis).vectors["shape"])
 
 
 def _branches(axis: MedialAxis, size: float) -> list[Floats]:

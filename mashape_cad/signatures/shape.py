@@ -21,7 +21,7 @@ from mashape_cad.signatures.spokes import STEPS, Spokes, spokes
 from mashape_cad.signatures.vectors import Signature
 from mashape_cad.signatures.whole import summary
 
-__all__ = ["NAME", "NORM", "SIZE", "described", "mapped", "signature", "whole"]
+__all__ = ["NAME", "NORM", "SIZE", "described", "mapped", "shape_signature", "whole"]
 
 NAME = "default"
 SIZE = 256
@@ -31,7 +31,7 @@ NORM = 400.0
 _MOST = 127
 
 
-def signature(axis: MedialAxis, steps: int = STEPS) -> Signature:
+def shape_signature(axis: MedialAxis, steps: int = STEPS) -> Signature:
     """Return the default signature of a medial axis.
 
     Parameters

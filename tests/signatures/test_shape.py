@@ -16,7 +16,7 @@ from mashape_cad.library.shapes import UNIT
 from mashape_cad.medial.axis import medial_axis
 from mashape_cad.signatures import paper
 from mashape_cad.signatures.constants import FILE, VERSION, shipped
-from mashape_cad.signatures.shape import NAME, NORM, SIZE, signature
+from mashape_cad.signatures.shape import NAME, NORM, SIZE, shape_signature
 
 _NAMES = ("ellipse", "bracket", "blob with holes", "plate with holes", "keyhole", "cross", "wave")
 # In the sets that it is measured on, the nearest other shape is 0.45 away in the median: what must not show stays below
@@ -25,11 +25,11 @@ _SAME = 0.022
 
 
 def _vector(profile):
-    return signature(medial_axis(profile)).vectors["shape"]
+    return shape_signature(medial_axis(profile)).vectors["shape"]
 
 
 def _kept(name):
-    return signature(axis_of(name)).vectors["shape"]
+    return shape_signature(axis_of(name)).vectors["shape"]
 
 
 def _apart(a, b):
@@ -39,7 +39,7 @@ def _apart(a, b):
 @pytest.mark.parametrize("name", [*_NAMES, "disc", "hole grid"])
 def test_it_is_256_whole_numbers_that_fit_into_bytes(name):
     """One vector, of norm 400 but for rounding."""
-    found = signature(axis_of(name))
+    found = shape_signature(axis_of(name))
     (vector,) = found.vectors.values()
     assert (found.name, found.version) == (NAME, VERSION)
     assert len(vector) == SIZE == 256
@@ -133,7 +133,7 @@ def test_arrangement_shows(first, second):
     a, b = medial_axis(first), medial_axis(second)
     pairs = zip(paper.signature(a).vectors.values(), paper.signature(b).vectors.values(), strict=True)
     assert max(float(np.linalg.norm(one - other)) for one, other in pairs) < 0.08
-    assert _apart(signature(a).vectors["shape"], signature(b).vectors["shape"]) > 0.15
+    assert _apart(shape_signature(a).vectors["shape"], shape_signature(b).vectors["shape"]) > 0.15
 
 
 def test_holes_show_softly():
