@@ -31,7 +31,7 @@ from mashape_cad.medial.emptiness import (
     normal_form,
     touching,
 )
-from mashape_cad.medial.tour import Ints, Tour, site
+from mashape_cad.medial.tour import RUN, Ints, Tour, box_apart, run_apart, site
 
 __all__ = ["maximal_disc", "twin_on_stretch"]
 
@@ -69,7 +69,7 @@ def maximal_disc(tour: Tour, e: int, t: float) -> tuple[float, float, float, boo
         if tour.element[left].degree > 0:
             curvature = max(curvature, site(tour, left, 1.0)[4])
     r = 1.0 / curvature if curvature > _STRAIGHT else _WIDEST
-    start_e, start_t = _best_sample(tour, px, py, nx, ny, r)
+    start_e, start_t = _best_sample(tour, e, px, py, nx, ny, r)
     twin_e, twin_t = -1, 0.0
     for _ in range(60):
         if start_e >= 0:
@@ -90,22 +90,24 @@ def maximal_disc(tour: Tour, e: int, t: float) -> tuple[float, float, float, boo
 
 
 @compiled
-def _best_sample(tour: Tour, px: float, py: float, nx: float, ny: float, r: float) -> tuple[int, float]:
-    """Return the sample with the smallest f(p, .), if one has less than r; element -1 if none has.
+def _best_sample(tour: Tour, e: int, px: float, py: float, nx: float, ny: float, r: float) -> tuple[int, float]:
+    """Return the sample with the smallest f(p, .) for p on `e`, if one has less than r; element -1 if none has.
 
-    An element whose box the disc found so far does not meet cannot make it smaller.
+    An element whose box the disc found so far does not meet cannot make it smaller. So we begin beside p, where the
+    boundary's bends soon bring the disc down to their size.
     """
     best_e, best_t = -1, 0.0
-    for e in range(len(tour.element)):
-        cx, cy = px + r * nx, py + r * ny
-        bx = max(tour.element[e].x0 - cx, 0.0, cx - tour.element[e].x1)
-        by = max(tour.element[e].y0 - cy, 0.0, cy - tour.element[e].y1)
-        if bx * bx + by * by > r * r:
+    for step in range(len(tour.run)):
+        run = (e // RUN + step) % len(tour.run)
+        if run_apart(tour, run, px + r * nx, py + r * ny) > r * r:
             continue
-        for k in range(tour.element[e].sample_from, tour.element[e].sample_to):
-            f = _radius(px, py, nx, ny, tour.sample[k, 0], tour.sample[k, 1])
-            if f < r:
-                r, best_e, best_t = f, e, tour.sample[k, 2]
+        for q in range(run * RUN, min((run + 1) * RUN, len(tour.element))):
+            if box_apart(tour, q, px + r * nx, py + r * ny) > r * r:
+                continue
+            for k in range(tour.element[q].sample_from, tour.element[q].sample_to):
+                f = _radius(px, py, nx, ny, tour.sample[k, 0], tour.sample[k, 1])
+                if f < r:
+                    r, best_e, best_t = f, q, tour.sample[k, 2]
     return best_e, best_t
 
 

@@ -14,7 +14,7 @@ from mashape_cad.geometry.edge import Floats
 from mashape_cad.medial.bezier import evaluate, halve, power_distance
 from mashape_cad.medial.compiled import Records, compiled
 from mashape_cad.medial.contact import same_foot
-from mashape_cad.medial.tour import Ints, Tour
+from mashape_cad.medial.tour import RUN, Ints, Tour, box_apart, run_apart
 
 __all__ = [
     "EMPTY",
@@ -73,19 +73,22 @@ def distance_minima(
     element, place_t, depth = np.empty(2 * n + 64, np.int64), np.empty(2 * n + 64), np.empty(2 * n + 64)
     count = _NONE_YET
     reach_sq = (r + tol) * (r + tol)
-    for e in range(n):
-        bx = max(tour.element[e].x0 - cx, 0.0, cx - tour.element[e].x1)
-        by = max(tour.element[e].y0 - cy, 0.0, cy - tour.element[e].y1)
-        if bx * bx + by * by > reach_sq or tour.element[e].degree == 0 or (skip >= 0 and _on_one_circle(tour, e, skip)):
+    for run in range(len(tour.run)):
+        if run_apart(tour, run, cx, cy) > reach_sq:
             continue
-        known = count
-        if tour.element[e].degree == 1:
-            count = _minimum_on_line(tour, e, cx, cy, r, tol, element, place_t, depth, count)
-        else:
-            count = _minima_on_span(tour, e, cx, cy, r, tol, element, place_t, depth, count)
-        for k in range(known, count):
-            if depth[k] < -floor:
-                return count, element, place_t, depth
+        for e in range(run * RUN, min((run + 1) * RUN, n)):
+            if box_apart(tour, e, cx, cy) > reach_sq or tour.element[e].degree == 0:
+                continue
+            if skip >= 0 and _on_one_circle(tour, e, skip):
+                continue
+            known = count
+            if tour.element[e].degree == 1:
+                count = _minimum_on_line(tour, e, cx, cy, r, tol, element, place_t, depth, count)
+            else:
+                count = _minima_on_span(tour, e, cx, cy, r, tol, element, place_t, depth, count)
+            for k in range(known, count):
+                if depth[k] < -floor:
+                    return count, element, place_t, depth
     return count, element, place_t, depth
 
 
@@ -106,15 +109,16 @@ def holds_sample(tour: Tour, cx: float, cy: float, r: float, tol: float) -> bool
     inner = r - tol
     if inner <= 0.0:
         return False
-    for e in range(len(tour.element)):
-        bx = max(tour.element[e].x0 - cx, 0.0, cx - tour.element[e].x1)
-        by = max(tour.element[e].y0 - cy, 0.0, cy - tour.element[e].y1)
-        if bx * bx + by * by >= inner * inner:
+    for run in range(len(tour.run)):
+        if run_apart(tour, run, cx, cy) >= inner * inner:
             continue
-        for k in range(tour.element[e].sample_from, tour.element[e].sample_to):
-            dx, dy = tour.sample[k, 0] - cx, tour.sample[k, 1] - cy
-            if dx * dx + dy * dy < inner * inner:
-                return True
+        for e in range(run * RUN, min((run + 1) * RUN, len(tour.element))):
+            if box_apart(tour, e, cx, cy) >= inner * inner:
+                continue
+            for k in range(tour.element[e].sample_from, tour.element[e].sample_to):
+                dx, dy = tour.sample[k, 0] - cx, tour.sample[k, 1] - cy
+                if dx * dx + dy * dy < inner * inner:
+                    return True
     return False
 
 

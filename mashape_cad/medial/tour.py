@@ -27,7 +27,19 @@ from mashape_cad.geometry.profile import Profile
 from mashape_cad.medial.bezier import evaluate, halve, power_distance
 from mashape_cad.medial.compiled import Records, compiled, records
 
-__all__ = ["ROUND", "Frame", "Ints", "Tour", "chord_squared", "loop_count", "site", "tour"]
+__all__ = [
+    "ROUND",
+    "RUN",
+    "Frame",
+    "Ints",
+    "Tour",
+    "box_apart",
+    "chord_squared",
+    "loop_count",
+    "run_apart",
+    "site",
+    "tour",
+]
 
 Ints = NDArray[np.int64]
 
@@ -54,6 +66,9 @@ _FAR = 1e-9
 _JOINED = 1e-9
 # Samples that seed the search for a touching place. Fewer cost a restart of that search, never an answer.
 _SAMPLES_CURVED, _SAMPLES_STRAIGHT = 12, 5
+# So many consecutive elements have a box in common: who looks for what is near asks the boxes first. Time then grows
+# with the number of elements next to not at all.
+RUN = 16
 # Parts into which a span is cut for the frame's box; a power of two.
 _BOX_PARTS = 8
 # What may be wrong with a boundary.
@@ -112,11 +127,14 @@ class Tour(NamedTuple):
         * ``convex``: whether the border at its start is a convex vertex.
     sample : (k, 3) array
         Points on the spans with their parameters: x, y, t.
+    run : (ceil(n / RUN), 4) array
+        Boxes of consecutive elements, `RUN` to each: x0, y0, x1, y1; cones lie at the ends of spans.
     """
 
     control: Floats
     element: Records
     sample: Floats
+    run: Floats
 
     @property
     def degree(self) -> Ints:
@@ -251,7 +269,8 @@ def _blank(elements: int, samples: int, rows: int) -> Tour:
     element = np.zeros(elements, ELEMENT)
     for name in ("cone_angle", "cone_turn", "round_x", "round_y", "round_radius"):
         element[name] = np.nan
-    return Tour(np.zeros((elements, rows, 3)), records(element), np.empty((samples, 3)))
+    runs = -(-elements // RUN)
+    return Tour(np.zeros((elements, rows, 3)), records(element), np.empty((samples, 3)), np.empty((runs, 4)))
 
 
 @compiled
@@ -469,6 +488,7 @@ def _lay_out(spans: _Spans, out: Tour) -> None:
     _tie_loops(out)
     _share_circles(out)
     _fill_samples(out)
+    _fill_runs(out)
 
 
 @compiled
@@ -542,6 +562,33 @@ def _fill_samples(tour: Tour) -> None:
             x, y, _, _, _, _ = evaluate(tour.control[e], tour.element[e].degree, t)
             tour.sample[at, 0], tour.sample[at, 1], tour.sample[at, 2] = x, y, t
             at += 1
+
+
+@compiled
+def _fill_runs(tour: Tour) -> None:
+    """Fill in the boxes of runs; one of cones alone is empty, far from everything."""
+    for k in range(len(tour.run)):
+        x0, y0, x1, y1 = math.inf, math.inf, -math.inf, -math.inf
+        for e in range(k * RUN, min((k + 1) * RUN, len(tour.element))):
+            if tour.element[e].degree > 0:
+                x0, y0 = min(x0, tour.element[e].x0), min(y0, tour.element[e].y0)
+                x1, y1 = max(x1, tour.element[e].x1), max(y1, tour.element[e].y1)
+        tour.run[k, 0], tour.run[k, 1], tour.run[k, 2], tour.run[k, 3] = x0, y0, x1, y1
+
+
+@compiled
+def box_apart(tour: Tour, e: int, x: float, y: float) -> float:
+    """Square of the distance from a point to the box of an element; 0 inside."""
+    row = tour.element[e]
+    bx, by = max(row.x0 - x, 0.0, x - row.x1), max(row.y0 - y, 0.0, y - row.y1)
+    return bx * bx + by * by
+
+
+@compiled
+def run_apart(tour: Tour, k: int, x: float, y: float) -> float:
+    """Square of the distance from a point to the box of a run of elements; 0 inside."""
+    bx, by = max(tour.run[k, 0] - x, 0.0, x - tour.run[k, 2]), max(tour.run[k, 1] - y, 0.0, y - tour.run[k, 3])
+    return bx * bx + by * by
 
 
 @compiled
