@@ -1,7 +1,8 @@
 """Learn the constants of the default signature, from generated shapes alone: ``python research/learn.py``.
 
-Same seed and number of groups, same file, but for the last digits of sums, which differ between processors. Takes
-about half an hour of two cores.
+Same seed and number of groups, same shapes; the last digits of sums differ between processors and releases, and the
+choice of words magnifies them: two runs agree to half a point of what the ladder measures. It takes five to thirty
+minutes.
 """
 
 import argparse

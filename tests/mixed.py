@@ -19,7 +19,8 @@ __all__ = ["Chance", "crossings", "is_simple", "mixed_outline", "mixed_profile",
 
 TAU = 2 * math.pi
 _NEAR_END = np.geomspace(1e-8, 0.02, 150)
-_FINE = np.unique(np.concatenate([np.linspace(0, 1, 600, endpoint=False), _NEAR_END, 1 - _NEAR_END]))
+# Rounded, since two that differ in the last digit would make a polygon turn back.
+_FINE = np.unique(np.round(np.concatenate([np.linspace(0, 1, 600, endpoint=False), _NEAR_END, 1 - _NEAR_END]), 12))
 
 
 class Chance(Protocol):

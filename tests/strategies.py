@@ -209,8 +209,10 @@ def nearly_stadium(draw: DrawFn) -> Profile:
 class _Drawn:
     """Choices of a mixed profile, see `mixed.Chance`; they shrink to lines, no holes, and numbers in the middle."""
 
-    # Numbers of this many steps: fine enough for any size of a feature, and few digits to read.
-    _STEPS = 10**6
+    # Numbers of this many steps, few digits to read: what differs, differs by a ten-thousandth, so that sizes reach
+    # over four orders of magnitude. Hypothesis likes numbers next to one another; with a million steps it makes knots
+    # that are a millionth apart, see `test_knots_a_millionth_apart`.
+    _STEPS = 10**4
     # Points all over a box: multiples of these, less their whole part, fill it evenly (golden section in the plane).
     _EVENLY = np.array([0.7548776662466927, 0.5698402909980532])
 

@@ -146,3 +146,25 @@ def test_a_disc_that_follows_its_boundary_to_a_knot_says_by_how_much_it_misses_t
     poles = [(-0.28245, -0.41383), (-0.24694, -0.42554), (-0.21148, -0.43737), (-0.17933, -0.45924),
              (-0.14028, -0.4602), (-0.10496, -0.47247), (-0.06944, -0.48413)]  # fmt: skip
     check(_closed(BSpline.of(4, knots, poles), (0.3, -0.45), (0.3, 0.3), (-0.5, 0.3)), 4)
+
+
+_ROUND = [(-0.11126047, -0.48746396), (-0.04075957, -0.47137259), (0.02974132, -0.45528122), (0.10024222, -0.43918985)]
+_POLYGON = [(0.5, 0.0), (0.3117449, 0.39091574), (-0.11126047, 0.48746396), (-0.45048443, 0.21694187),
+            (-0.45048443, -0.21694187)]  # fmt: skip
+
+
+@pytest.mark.xfail(
+    reason="a bend of 1e-6 radians within 1e-7 of the size: all discs that touch it are empty to rounding"
+)
+@pytest.mark.parametrize(
+    ("knots", "pole"),
+    [
+        ([0.5, 0.5, 0.5000008], (0.17074302, -0.42309806)),
+        ([0.4999992, 0.5, 0.5], (0.17074306, -0.42309827)),
+        ([0.5, 0.5, 0.5000008], (0.17074297, -0.42309785)),
+    ],
+)
+def test_knots_a_millionth_apart(knots, pole):
+    """Between them the boundary turns by so little that it is neither a vertex nor smooth."""
+    poles = [*_ROUND, pole, (0.24124401, -0.40700711), (0.3117449, -0.39091574)]
+    check(_closed(BSpline.of(3, [0.0] * 4 + knots + [1.0] * 4, poles), *_POLYGON), 4)
