@@ -37,6 +37,7 @@ _MOST_STILLBORN = 3
 _READY = "ready"
 # What tells the libraries behind numpy, before it is loaded, how many threads to take.
 _THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS")
+_ENVIRONMENT = threading.Lock()  # one at a time changes it
 
 
 class WorkerDiedError(Exception):
@@ -218,13 +219,14 @@ def _one_thread_each() -> Iterator[None]:
 
     Matrices are small here: two threads take twice the processor time and gain nothing, and workers are many already.
     """
-    added = [name for name in _THREADS if name not in os.environ]
-    os.environ.update(dict.fromkeys(added, "1"))
-    try:
-        yield
-    finally:
-        for name in added:
-            del os.environ[name]
+    with _ENVIRONMENT:
+        added = () if any(name in os.environ for name in _THREADS) else _THREADS
+        os.environ.update(dict.fromkeys(added, "1"))
+        try:
+            yield
+        finally:
+            for name in added:
+                os.environ.pop(name, None)
 
 
 @contextmanager

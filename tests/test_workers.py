@@ -1,6 +1,8 @@
 """Worker processes: a time limit for each item, and one that dies costs its own item only."""
 
 import os
+import subprocess
+import sys
 import time
 from functools import partial
 
@@ -29,16 +31,23 @@ def test_every_item_comes_back_with_its_value():
     assert sorted(_run(range(10), twice, jobs=2, timeout=30)) == [(i, 2 * i) for i in range(10)]
 
 
-def threads(_item):
-    """Tell how many threads numpy would take."""
-    return os.environ.get("OPENBLAS_NUM_THREADS")
-
-
-def test_workers_take_one_thread_each(monkeypatch):
-    """Without a word about it in the environment of whoever starts them."""
-    monkeypatch.delenv("OPENBLAS_NUM_THREADS", raising=False)
-    assert list(_run([1], threads, jobs=1, timeout=30)) == [(1, "1")]
-    assert "OPENBLAS_NUM_THREADS" not in os.environ
+@pytest.mark.parametrize(("theirs", "found"), [({}, "1"), ({"OMP_NUM_THREADS": "4"}, None)])
+def test_workers_take_one_thread_each(theirs, found):
+    """Unless the environment says how many; that of whoever starts them stays as it is. In a process of its own."""
+    program = """
+import os
+from mashape_cad.workers import outcomes
+if __name__ == "__main__":
+    before = dict(os.environ)
+    [(_, found)] = outcomes(["OPENBLAS_NUM_THREADS"], os.getenv, jobs=1, timeout=30, prepare=dict, preload="json")
+    assert dict(os.environ) == before
+    print(found)
+"""
+    kept = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
+    done = subprocess.run(
+        [sys.executable, "-c", program], env=kept | theirs, capture_output=True, text=True, check=True, timeout=60
+    )
+    assert done.stdout.strip() == str(found)
 
 
 def test_no_items():

@@ -62,7 +62,7 @@ def search(
     """Rank the parts of scanned folders by how much their profiles resemble one of the file QUERY.
 
     QUERY itself need not be scanned; if it is, it takes part and comes first, at distance 0. Each part is listed once:
-    a drawing by the nearest of its profiles, a solid by its first face.
+    a drawing by the first of its profiles in the order of the mode, a solid by its first face.
 
     The score says how sure it is that a hit is of QUERY's kind: 100 for the same outline, whatever its place, size and
     edges; docs/signature.md says how it was measured.

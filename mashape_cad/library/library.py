@@ -52,6 +52,10 @@ class Query:
     thing: Any = None
 
 
+# Shares are sums: all of them may be a digit short of 100.
+_ROUNDING = 1e-9
+
+
 class Library:
     """The scanned parts below one or more folders.
 
@@ -108,15 +112,17 @@ class Library:
         profile : int, optional
             Which profile of the query, from 0.
         options : SearchOptions, optional
-            In mode ``same`` each match has a `Match.relation`: its file is read again and compared with the query's. In
-            mode ``part`` each has a `Match.portion`, and the matches are ordered by its share.
+            In mode ``same`` each match has a `Match.relation`: its file is read again and compared with the query's;
+            those with the query's outer loop come before all others. In mode ``part`` each has a `Match.portion`, and
+            the matches are ordered by its share.
 
         Returns
         -------
         list of Match
-            One for each part: a drawing by the nearest of its profiles, a solid by its first face (all plates have
-            similar sides). The query's own file takes part, with the very profile that was asked with, and comes first,
-            at distance 0. Equal distances are ordered by name, the query's own file before all others.
+            One for each part: a drawing by the first of its profiles in the order of the mode, a solid by its first
+            face (all plates have similar sides). The query's own file takes part, with the very profile that was asked
+            with, and comes first, at distance 0. Equal distances are ordered by name, the query's own file before all
+            others.
 
         Raises
         ------
@@ -133,8 +139,7 @@ class Library:
         """Yield the parts that resemble a query, the nearest first, as `search` returns them.
 
         In mode ``same`` those with the query's outer loop are first, and each is compared with the query when its turn
-        comes; in mode ``part`` only parts that have a
-        portion of the query come at all.
+        comes; in mode ``part`` only parts that have a portion of the query come at all.
         """
         if options.mode == "part":
             return self._containing(asked, options)
@@ -170,7 +175,7 @@ class Library:
         order = self._order(asked, distances)
         listed = set[int]()
         for row, portion in self._portions.found(asked.record, order[self._passing(asked, options)[order]]):
-            if 100 * portion.share < options.min_score:
+            if 100 * portion.share < options.min_score - _ROUNDING:
                 return
             if (part := int(self._rows.part[row])) not in listed:
                 listed.add(part)

@@ -17,7 +17,7 @@ class Match:
     Attributes
     ----------
     rank : int
-        From 1, the nearest first.
+        From 1, in the order of the search's mode.
     path : Path
         The part file.
     profile : int

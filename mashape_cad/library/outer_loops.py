@@ -17,9 +17,10 @@ __all__ = ["OuterLoops"]
 
 Floats = NDArray[np.float64]
 
-# Numbers of one outer loop in two drawings differ by at most this, relatively: what the light pictures leave is 0.001,
-# and a polyline cuts corners.
-_SAME = 0.005
+# Numbers of one outer loop in two drawings differ by at most this, relatively: a polyline cuts corners. Light pictures
+# are good to half a step of a grid of 1/5000, and tell the area of what is slender less well: by the product of the
+# first two numbers times this.
+_SAME, _GRID = 0.005, 2e-4
 # Three points of Gauss and Legendre along each side integrate the fourth power of a distance exactly.
 _POINTS = np.array([0.5 - np.sqrt(0.15), 0.5, 0.5 + np.sqrt(0.15)])
 _WEIGHTS = np.array([5.0, 8.0, 5.0]) / 18.0
@@ -39,7 +40,7 @@ class OuterLoops:
     def same(self, asked: ProfileRecord) -> NDArray[np.bool_]:
         """Tell of each profile whether its outer loop may be that of a query."""
         own = _numbers([outer_loop_of(asked.thumbnail)])
-        return np.all(np.abs(self._numbers / own - 1.0) <= _SAME, axis=1)
+        return np.all(np.abs(self._numbers / own - 1.0) <= _SAME + _GRID * own[:, 0] * own[:, 1], axis=1)
 
 
 def _numbers(loops: Sequence[Floats]) -> Floats:

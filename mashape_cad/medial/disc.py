@@ -43,6 +43,8 @@ _STRAIGHT = 1e-9  # a curvature below this bounds no disc; _WIDEST does
 # A sample whose square distance is less than this, times its radius, lies no higher above the tangent than rounding may
 # lift it: a quotient of roundings, as next to the place itself.
 _LOST = 4e-15
+# Rounding takes so much of a radius, times the radius over the square of how far its two feet are apart.
+_QUOTIENT = 1e-14
 _WIDEST = 4.0  # radius that no disc inside a shape of size 1 has
 # Steps of the descent: below the first f is flat to rounding and G alone tells whether a step helps; below the second
 # the parameter has settled; the third is the spacing of numbers near 1.
@@ -271,8 +273,9 @@ def _share(k: int, crowded: bool) -> float:
 def twin_on_stretch(tour: Tour, e: int, t: float, f: int, low: float, high: float) -> tuple[float, float, float, float]:
     """Return the disc at (e, t) whose twin is known to lie on a stretch: x, y, r and the twin's parameter.
 
-    f(p, .) is sampled on the stretch and descended to a root of G between the neighbours of each sample that is below
-    both of them: one narrow valley between samples may be deeper than what looks deepest.
+    f(p, .) is sampled on the stretch and descended to a root of G between the neighbours of the lowest sample. So it is
+    from any other that is below both of its neighbours: a narrow valley between samples may be deeper than what looks
+    deepest, by more than rounding.
     """
     px, py, nx, ny, curvature, _ = site(tour, e, t)
     limit = 1.0 / curvature if curvature > _STRAIGHT else _WIDEST
@@ -286,25 +289,38 @@ def twin_on_stretch(tour: Tour, e: int, t: float, f: int, low: float, high: floa
         high == 1.0 and (tour.element[tour.element[f].after].convex or tour.element[f].after == e)
     )
     count = _SAMPLES_CROWDED if crowded else _SAMPLES
-    twin, width, least = low, high - low, math.inf
-    before, here = math.inf, _sampled(tour, px, py, nx, ny, f, low + width * _share(0, crowded))
+    values, best = np.empty(count + 1), 0
     for k in range(count + 1):
-        after = math.inf
-        if k < count:
-            after = _sampled(tour, px, py, nx, ny, f, low + width * _share(k + 1, crowded))
-        if here <= before and here < after:
-            a, b = low + width * _share(max(k - 1, 0), crowded), low + width * _share(min(k + 1, count), crowded)
-            s = _lowest(tour, px, py, nx, ny, f, a, b, min(max(low + width * _share(k, crowded), a), b))
-            radius = _descent(tour, px, py, nx, ny, f, s)[0]
-            if radius < least:
+        values[k] = _sampled(tour, px, py, nx, ny, f, low + (high - low) * _share(k, crowded))
+        if values[k] < values[best]:
+            best = k
+    least, twin, _ = _valley(tour, px, py, nx, ny, f, low, high, best, crowded)
+    for k in range(count + 1):
+        before, after = values[k - 1] if k > 0 else math.inf, values[k + 1] if k < count else math.inf
+        if k != best and values[k] <= before and values[k] < after:
+            radius, s, doubt = _valley(tour, px, py, nx, ny, f, low, high, k, crowded)
+            if radius + doubt < least:
                 least, twin = radius, s
-        before, here = here, after
-    if least == math.inf:
-        # Rounding hides all samples.
-        twin = _lowest(tour, px, py, nx, ny, f, low, low + width * _share(1, crowded), low)
-        least = _descent(tour, px, py, nx, ny, f, twin)[0]
     r = min(limit, least)
     return px + r * nx, py + r * ny, r, twin
+
+
+@compiled
+def _valley(
+    tour: Tour, px: float, py: float, nx: float, ny: float, f: int, low: float, high: float, k: int, crowded: bool
+) -> tuple[float, float, float]:
+    """Descend f(p, .) from a sample of a stretch: the radius, its place, and what rounding may do to the radius.
+
+    Next to p itself valleys are quotients of roundings.
+    """
+    last = _SAMPLES_CROWDED if crowded else _SAMPLES
+    a = low + (high - low) * _share(max(k - 1, 0), crowded)
+    b = low + (high - low) * _share(min(k + 1, last), crowded)
+    s = _lowest(tour, px, py, nx, ny, f, a, b, min(max(low + (high - low) * _share(k, crowded), a), b))
+    radius = _descent(tour, px, py, nx, ny, f, s)[0]
+    qx, qy, _, _, _, _ = evaluate(tour.control[f], tour.element[f].degree, s)
+    apart_sq = (qx - px) ** 2 + (qy - py) ** 2
+    return radius, s, _QUOTIENT * radius * radius / apart_sq if apart_sq > 0.0 else math.inf
 
 
 @compiled

@@ -272,7 +272,7 @@ def curvature_candidates(tour: Tour, touched: NDArray[np.bool_]) -> tuple[Ints, 
         if tour.element[e].degree < 2 or touched[e]:
             continue
         slope = curvature_slope(tour.control[e], tour.element[e].degree)
-        noise = _NOISE * np.abs(slope).max() + _curvature_rounding(tour, e) * chord_squared(tour, e) ** 2.5
+        noise = _NOISE * np.abs(slope).max() + _curvature_rounding(tour, e) * _length_squared(tour, e) ** 2.5
         rises_at_end[e], falls_at_start[e] = slope[-1] >= -noise, slope[0] <= noise
         if curvature_sign(tour.control[e], tour.element[e].degree).max() > 0.0:
             for t in falling_roots(slope):
@@ -315,7 +315,13 @@ def _may_peak_at_border(
 def _curvature_rounding(tour: Tour, e: int) -> float:
     """Error that rounding of control points may leave in the curvature of a span."""
     degree = tour.element[e].degree
-    return _CONTROL_ROUNDING * degree * degree / chord_squared(tour, e) if degree > 1 else 0.0
+    return _CONTROL_ROUNDING * degree * degree / _length_squared(tour, e) if degree > 1 else 0.0
+
+
+@compiled
+def _length_squared(tour: Tour, e: int) -> float:
+    """Square of a span's length, about; the ends of a long one may lie next to one another."""
+    return max(chord_squared(tour, e), site(tour, e, 0.5)[5] ** 2)
 
 
 @compiled
