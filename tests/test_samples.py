@@ -164,7 +164,8 @@ def test_the_script_makes_the_same_files_again(samples, repository, tmp_path):
     assert sorted(made) == sorted(shipped)
     for name, (words, numbers) in made.items():
         assert words == shipped[name][0], name
-        assert numbers == pytest.approx(shipped[name][1], rel=0, abs=1e-11), name
+        # STEP files have eleven decimals here, the last of which may be rounded either way.
+        assert numbers == pytest.approx(shipped[name][1], rel=0, abs=1.5e-11), name
 
 
 def words_and_numbers(path):

@@ -57,17 +57,20 @@ def _inner_discs(tour: Tour, element: Ints, low: Floats, high: Floats, ends: Flo
 def _inner_disc(tour: Tour, element: Ints, low: Floats, high: Floats, first: Floats, last: Floats) -> Floats:
     """Figures of a disc inside a piece whose end discs (x, y, r) are given; see `_inner_discs`.
 
-    It touches the middle of side 0. Of a piece whose end discs are nearly one, it is the mean of the two. In a wedge,
-    which ends in one convex vertex, the one of half the radius is tried too: where two edges turn by 1e-7 only, feet
-    are too near one another to tell the radius, but the radius tells the feet. Any disc inside the piece will do.
+    It touches the middle of side 0. Of a piece whose end discs are nearly one, it is the mean of the two; so it is of a
+    short piece beside an end at a reflex vertex, whose feet are too near one another to tell the radius. In a wedge,
+    which ends in one convex vertex, the one of half the radius is tried too: where two edges turn by 1e-7 only, the
+    radius tells the feet. Any disc inside the piece will do.
     """
     e, f = element[0], element[1]
     t = (low[0] + high[0]) / 2
-    x, y, r, s = twin_on_stretch(tour, e, t, f, low[1], high[1])
-    if np.abs(first - last).sum() < _SHORT:
-        x, y, r = (first + last) / 2
-        s = (low[1] + high[1]) / 2
-    figures = _figures(tour, element, low, high, t, s, x, y, r)
+    x, y, r = (first + last) / 2
+    figures = _figures(tour, element, low, high, t, (low[1] + high[1]) / 2, x, y, r)
+    if np.abs(first - last).sum() >= _SHORT and figures[2:].max() > _INSIDE:
+        x, y, r, s = twin_on_stretch(tour, e, t, f, low[1], high[1])
+        by_twin = _figures(tour, element, low, high, t, s, x, y, r)
+        if by_twin[2:].max() < figures[2:].max():
+            figures = by_twin
     if (first[2] == 0.0) != (last[2] == 0.0):
         x, y, r, t, s = _disc_of_radius(tour, e, t, f, (low[1] + high[1]) / 2, max(first[2], last[2]) / 2)
         by_radius = _figures(tour, element, low, high, t, s, x, y, r)

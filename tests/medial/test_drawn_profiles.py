@@ -1,5 +1,6 @@
 """Profiles of everything, drawn by Hypothesis: certified, and by brute force too; where they cross they are refused."""
 
+import os
 from itertools import pairwise
 
 import numpy as np
@@ -72,7 +73,7 @@ def test_some_profiles_of_everything(profile):
 
 @pytest.mark.slow
 def test_two_thousand_profiles_of_everything(drawn):
-    """None is left out; by default four parts of forty, drawn anew."""
+    """None is left out; by default one part of forty, drawn anew."""
     seen = set()
 
     def once(profile: Profile) -> None:
@@ -81,7 +82,7 @@ def test_two_thousand_profiles_of_everything(drawn):
             check(profile, 1)
             seen.add(outline)
 
-    for part in drawn(list(range(_PARTS)), 4):
+    for part in drawn(list(range(_PARTS)), 1):
         seed(part)(_MANY(given(profiles())(once)))()
 
 
@@ -100,6 +101,7 @@ def test_some_profiles_that_may_cross_themselves(profile):
 
 
 @pytest.mark.slow
+@pytest.mark.skipif(not os.environ.get("MASHAPE_ALL"), reason="other ones with every change of any test: MASHAPE_ALL=1")
 @given(crossing_profiles())
 @settings(_FEW, max_examples=200)
 def test_many_profiles_that_may_cross_themselves(profile):
@@ -168,3 +170,24 @@ def test_knots_a_millionth_apart(knots, pole):
     """Between them the boundary turns by so little that it is neither a vertex nor smooth."""
     poles = [*_ROUND, pole, (0.24124401, -0.40700711), (0.3117449, -0.39091574)]
     check(_closed(BSpline.of(3, [0.0] * 4 + knots + [1.0] * 4, poles), *_POLYGON), 4)
+
+
+@pytest.mark.parametrize(
+    "degree",
+    [4, pytest.param(1, marks=pytest.mark.xfail(reason="refused: the face of that branch is not cut further"))],
+)
+def test_a_branch_of_a_hundred_thousandth_beside_a_reflex_vertex(degree):
+    """Its end osculates the vertex, and all its feet are so near that the radius of a disc by its twin is rounding.
+
+    A straight side is written as a spline of some degree.
+    """
+    knots, spline = [0.0] * 6 + [1.0] * 6, [(0.21356916, 0.4470515), (0.16803044, 0.45716664), (0.12710691, 0.50935378),
+        (0.07752309, 0.48259399), (0.03074556, 0.48141619), (-0.01689914, 0.47233332)]  # fmt: skip
+    bow = BSpline.of(2, [0.0] * 3 + [1.0] * 3, [(0.44461272, 0.29180155), (0.33668266, 0.38072456), spline[0]])
+    corners = [spline[-1], (-0.38122816, 0.43992521), (-0.47948053, 0.14078819), (-0.47941407, -0.14076867),
+        (-0.32743037, -0.37787479), (-0.07115742, -0.49491072), (0.20774388, -0.45479939), (0.42062677, -0.27032041),
+        (0.5, 0.0)]  # fmt: skip
+    lines = [Line.of(p, q) for p, q in pairwise(corners)]
+    side = np.linspace(corners[-1], bow.poles[0], degree + 1)
+    straight = BSpline.of(degree, [0.0] * (degree + 1) + [1.0] * (degree + 1), side.tolist())
+    check(Profile.of(Loop((straight, bow, BSpline.of(5, knots, spline), *lines))), 4)
