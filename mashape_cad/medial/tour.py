@@ -66,8 +66,7 @@ _FAR = 1e-9
 _JOINED = 1e-9
 # Samples that seed the search for a touching place. Fewer cost a restart of that search, never an answer.
 _SAMPLES_CURVED, _SAMPLES_STRAIGHT = 12, 5
-# So many consecutive elements have a box in common: who looks for what is near asks the boxes first. Time then grows
-# with the number of elements next to not at all.
+# So many consecutive elements have a box in common: who looks for what is near passes by those far off at once.
 RUN = 16
 # Parts into which a span is cut for the frame's box; a power of two.
 _BOX_PARTS = 8

@@ -107,15 +107,16 @@ def _size(record: ProfileRecord) -> str:
 def _explanation(tiles: Sequence[_Tile]) -> str:
     if not tiles:
         return "No part was found."
-    parts = "1 part" if len(tiles) == 1 else f"{len(tiles)} parts, the nearest first"
+    parts = "1 part" if len(tiles) == 1 else f"{len(tiles)} parts"
     if any(tile.relation for tile in tiles):
         lines = "Each is laid over the query (thin line): what only one of the two covers is red"
         return f"{parts}. {lines}. Off by: the largest distance of the outlines."
     if any(tile.portion for tile in tiles):
         said = "the one that contains most of the query's outline first; that portion is drawn in colour"
-        return f"{'1 part' if len(tiles) == 1 else f'{len(tiles)} parts'}, {said}."
+        return f"{parts}, {said}."
     axis = "The lines inside are the medial axis, brighter where there is more room"
-    return f"{parts}. A score of 100 means equal signatures. {axis}."
+    order = "" if len(tiles) == 1 else ", the nearest first"
+    return f"{parts}{order}. A score of 100 means equal signatures. {axis}."
 
 
 def _html(query: _Tile, tiles: Sequence[_Tile]) -> str:
@@ -141,6 +142,7 @@ def _picture(tile: _Tile, left: float, top: float, width: float, height: float, 
 
 
 _COLUMNS, _FEWEST_COLUMNS = 4, 3  # with fewer, the line under the title would not fit
+_FACTS_WIDTH = 448.0  # letters of a tile's last line, times their size, that fit beside the rank
 _GAP, _MARGIN, _HEAD, _CAPTION, _PADDING = 16.0, 28.0, 84.0, 62.0, 14.0
 
 
@@ -171,4 +173,10 @@ def _cell(tile: _Tile, left: float, top: float, width: float, height: float, *, 
     yield Label(indent, base, printable(tile.name, 24), 14, PAPER.ink)
     if tile.finding:
         yield Label(indent, base + 17, tile.finding, 11.5, PAPER.ink, bold=True)
-    yield Label(indent, base + (32 if tile.finding else 19), tile.facts, 11.5, PAPER.muted)
+    yield Label(
+        indent,
+        base + (32 if tile.finding else 19),
+        tile.facts,
+        min(11.5, _FACTS_WIDTH / max(len(tile.facts), 1)),
+        PAPER.muted,
+    )
